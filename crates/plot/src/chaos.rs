@@ -1,4 +1,4 @@
-//! Regions that the motion does not leave, and horseshoes: the reduced state space, as SVG.
+//! Trapping regions and horseshoes in the reduced state space, as SVG.
 
 mod cones;
 mod leaf;
@@ -15,13 +15,13 @@ use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, 
 use crate::picture::{VERMILION, greek, hex, legend, program, typeset_text, words};
 use crate::sweep::Cells;
 
-/// Size of a single panel, and of each of several beside each other \[pixels\].
+/// Size of a single panel, and of each of several panels side by side \[pixels\].
 const SINGLE_PANEL_SIZE: (u32, u32) = (900, 640);
 const PANEL_SIZE: (u32, u32) = (560, 640);
-/// Impacts of a floating-point orbit that are shown, of that in a region after N others.
+/// Impacts shown of a floating-point orbit, and impacts skipped before those of an orbit in a region.
 const IMPACTS: usize = 20_000;
 const TRANSIENT: usize = 2000;
-/// Images up to this many impacts later are shown.
+/// Greatest number of impacts of the images that are shown.
 const MAX_IMAGES: usize = 3;
 /// Widths of lines.
 const IMAGE_WIDTH: i32 = 6 * SCALE;
@@ -31,7 +31,7 @@ const RIGHT_MARGIN: i32 = 30 * SCALE;
 pub(crate) const PHASE_LABEL: &str = "phase $θ$ of the impact, mirrored to the left wall [rad]";
 const SPEED_LABEL: &str = "speed before the impact, in $AΩ$";
 
-/// Returns the boxes of a region, and a floating-point orbit.
+/// The boxes of a region, and a floating-point orbit.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -59,8 +59,8 @@ pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
     })
 }
 
-/// Returns a floating-point orbit, the h-sets and their first images; the h-sets of the horseshoe in coordinates of their own, in which
-/// it is seen how images lie across them; and of a hyperbolic set, where one is given, the strips, leaves and cones of one h-set.
+/// A floating-point orbit, the h-sets and their first images; the h-sets of the horseshoe in their own coordinates, in which
+/// their images lie across them; and, for a given hyperbolic set, the strips, leaves and cones of one h-set.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -98,7 +98,7 @@ pub fn chaos(
     })
 }
 
-/// The phases of the columns of a region, from one to another, in forcing periods.
+/// The phases of the columns of a region: left and right ends, in forcing periods.
 fn phases(region: &Trap) -> impl Iterator<Item = [f64; 2]> {
     let columns = region.grid().0 as f64;
     region.columns().into_keys().map(move |column| [column, column + 1].map(|column| f64::from(column) / columns))
@@ -120,7 +120,7 @@ fn cells(region: &Trap, arc: Arc, plane: &Plane) -> Element {
     Element(cells.element(SKY))
 }
 
-/// Draws a region, these states, phases in forcing periods, and the h-sets of a horseshoe, if there is one, into an area.
+/// Draws a region, the given states (phases in forcing periods) and the h-sets of a horseshoe, if there is one, into an area.
 pub(crate) fn section(
     region: &Trap,
     horseshoe: Option<&Chaos>,
@@ -139,7 +139,7 @@ pub(crate) fn section(
     Ok(())
 }
 
-/// Returns the line on the results proved.
+/// The line on the proved results.
 fn proved(found: &Chaos) -> String {
     let counted = format!(
         "{} of at most {} from {}",
@@ -157,19 +157,19 @@ fn proved(found: &Chaos) -> String {
     format!("undecided: no horseshoe is proved; {counted}; {}", program())
 }
 
-/// A number in four decimals, never more than it is.
+/// A number with four decimals, rounded down.
 fn rounded_down(x: f64) -> String {
     // The product may have been rounded up to a whole number.
     let whole = (x * 1e4).next_down().max(0.0).floor();
     format!("{:.4}", whole / 1e4)
 }
 
-/// The floating-point orbit, as far as it is shown.
+/// The part of the floating-point orbit that is shown.
 fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
     found.attractor().iter().take(IMPACTS)
 }
 
-/// Returns the entries of the legend.
+/// The entries of the legend.
 fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     let mut entries = Vec::new();
     let impacts = seen(found).count();
@@ -206,7 +206,7 @@ fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
     entries
 }
 
-/// Title, parameters, and what is proved; how high that is.
+/// Draws title, parameters and proved results; returns their height.
 fn caption(
     scene: &Scene,
     over: Option<&Range>,
@@ -216,7 +216,7 @@ fn caption(
     picture::caption(root, look, scene.title().unwrap_or("The impact map"), &[parameters(scene, over), proved])
 }
 
-/// The parameters of a scene, of one that varies its range.
+/// The parameters of a scene; with `over`, the range of the varied parameter.
 pub(crate) fn parameters(scene: &Scene, over: Option<&Range>) -> String {
     let words = scene.pair().in_words();
     let Some(over) = over else { return greek(&format!("{words}; {}", scene.start().in_words())) };
@@ -227,12 +227,12 @@ pub(crate) fn parameters(scene: &Scene, over: Option<&Range>) -> String {
     format!("{}; all {range}", greek(&format!("{}; {}", fixed.join(", "), scene.start().in_words())))
 }
 
-/// The axis of speeds from one to another, from no speed on where they begin near it.
+/// The axis of speeds over a range; from 0 on if the range begins near 0.
 fn speeds([low, high]: [f64; 2]) -> Axis {
     if low < 0.5 * high { Axis::over(0.0, 1.05 * high) } else { Axis::around([low, high].into_iter()) }
 }
 
-/// The whole state space.
+/// Draws the whole state space.
 fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let dots_shown = || seen(found);
     let corners = || found.bases().iter().flat_map(round);
@@ -248,17 +248,17 @@ fn whole(found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// The corners of an h-set, the first one again at the end.
+/// The corners of an h-set, with the first corner again at the end.
 fn round(base: &HSet) -> [State; 5] {
     [base.left.bottom, base.right.bottom, base.right.top, base.left.top, base.left.bottom]
 }
 
-/// Returns the place of a state on the axes: phase along the arc, and speed.
+/// The place of a state on the axes: phase along the arc, and speed.
 fn in_turn(arc: Arc, [phase, speed]: &State) -> State {
     [arc.place(*phase), *speed]
 }
 
-/// Pieces of a curve, on the axes: a new one where it leaves the arc at one end and comes back at the other.
+/// Pieces of a curve, on the axes: a new piece where the curve leaves the arc at one end and enters at the other.
 fn pieces(arc: Arc, curve: &[State]) -> Vec<Vec<State>> {
     let mut pieces: Vec<Vec<State>> = Vec::new();
     for state in curve.iter().map(|state| in_turn(arc, state)) {
@@ -302,7 +302,7 @@ mod tests {
             [0.28119957, 0.43326711, 0.0, 0.00009999].map(rounded_down),
             ["0.2811", "0.4332", "0.0000", "0.0000"]
         );
-        // The product of this one is rounded up to a whole number.
+        // The product of this number is rounded up to a whole number.
         let less = 0.0037_f64.next_down();
         assert!(less * 1e4 == 37.0 && rounded_down(less) == "0.0036");
     }

@@ -21,18 +21,18 @@ use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Look, Mark, P
 use crate::picture::{VERMILION, greek, legend, program, typeset_text};
 use crate::sweep::value;
 
-/// The size of a panel as it is shown, and the margin of the page.
+/// The size of a panel in pixels of the picture, and the margin of the page.
 const PANEL_SIZE: (i32, i32) = (600, 420);
 const MARGIN: i32 = 16 * SCALE;
 /// Forcing periods of the time series, and of the phase plane.
 const CYCLES: u32 = 8;
 const ORBIT_CYCLES: u32 = 40;
-/// Impacts that are followed, and those of the itinerary.
+/// Impacts that are followed, and letters of the itinerary.
 const IMPACTS: u64 = 2000;
 const LETTERS: usize = 60;
-/// The room on the right of axes.
+/// Room on the right of axes.
 const RIGHT_MARGIN: i32 = 38 * SCALE;
-/// The mappings, from the lowest row on.
+/// The mappings, from the lowest row up.
 const MAPPINGS: [Mapping; 4] = [Mapping::P4, Mapping::P3, Mapping::P2, Mapping::P1];
 const NAMES: [&str; 4] = ["P4 L→L", "P3 R→R", "P2 L→R", "P1 R→L"];
 
@@ -43,7 +43,7 @@ struct Followed {
     mappings: Vec<Option<Mapping>>,
 }
 
-/// Returns the page of a description, whose document is given as well, as SVG.
+/// The page of a description, as SVG; `document` is the description's JSON.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -52,7 +52,7 @@ pub fn describe(scene: &Scene, found: &Description, document: &DescriptionDocume
     let Followed { trace, .. } = &followed;
     let settled = document.fate.from.filter(|_| document.fate.kind == FateName::Attracted);
     let settled = settled.map_or(0, |from| from as usize);
-    // A transient that fills the picture is not distinguished from the rest.
+    // A transient that fills the picture is drawn like the rest.
     let transient = if settled < trace.crossings.len() / 2 { settled } else { 0 };
     let style = Style { is_certified: true, transient };
     let planes =
@@ -98,7 +98,7 @@ fn follow(scene: &Scene) -> Result<Followed> {
     Ok(Followed { trace, mappings })
 }
 
-/// Title, scene, fate and legend of what only this page has; how high that is.
+/// Draws title, scene, fate and the legend of this page alone; returns their height.
 fn head(
     scene: &Scene,
     (found, document): (&Description, &DescriptionDocument),
@@ -124,7 +124,7 @@ fn head(
     Ok(top + legend(root, top, &entries)?)
 }
 
-/// The impacts: mirrored to the left wall with the region and the h-sets, if there is a region, else on both walls.
+/// Draws the impacts: mirrored to the left wall with the region and the h-sets, if there is a region, else on both walls.
 fn impacts(
     scene: &Scene,
     (found, followed, style): (&Description, &Followed, Style),
@@ -146,7 +146,7 @@ fn impacts(
     section(region, found.horseshoe(), &states, (&below, root))
 }
 
-/// The mappings of the first impacts, a row each; coloured by the wall that they lead to.
+/// Draws the mappings of the first impacts, one row for each mapping, coloured by the wall of the next impact.
 fn itinerary(mappings: &[Option<Mapping>], style: Style, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
     let below = title(area, "(d)  itinerary")?;
     let shown = mappings.len().min(LETTERS);

@@ -1,4 +1,4 @@
-//! The fate of every motion of a pair, as SVG: the state space by the attractors that its motions end in, and the graph of components.
+//! The fate of every motion of a pair, as SVG: the state space coloured by the attractors of its motions, and the graph of components.
 
 mod morse;
 
@@ -17,23 +17,23 @@ use crate::picture::{self, Axis, BLUE, Canvas, Drawn, Element, GREEN, Look, Mark
 use crate::picture::{VERMILION, greek, program};
 use crate::sweep::Cells;
 
-/// The picture, and the part of its width that the graph takes.
+/// Size of the picture, and width of the graph.
 const SIZE: (u32, u32) = (1160, 680);
 const GRAPH_WIDTH: i32 = 320 * SCALE;
 /// Room on the right of axes.
 const RIGHT_MARGIN: i32 = 16 * SCALE;
-/// Colours of attractors, in their order; further ones begin anew.
+/// Colours of attractors, in their order; further attractors use the colours again.
 const ATTRACTOR_COLOURS: [RGBColor; 5] = [BLUE, GREEN, ORANGE, PURPLE, SKY];
 /// Colour of states whose attractor is undecided.
 const UNDECIDED_COLOUR: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
-/// The least side of a box of a component that is not an attractor.
+/// Least side at which a box of a component that is not an attractor is drawn.
 const MIN_BOX_SIDE: i32 = 3 * SCALE / 2;
 const RADIUS: i32 = 5 * SCALE;
 const SPEED_LABEL: &str = "speed before the impact, in $AΩ$";
-/// Components that the legend and the graph show at most.
+/// Greatest number of components in the legend and in the graph.
 const MAX_COMPONENTS: usize = 12;
 
-/// Returns the state space, coloured by where its motions are proved to end, with its components, and the graph of these.
+/// The state space, coloured by the proved fate of its motions, with its components, and the graph of components.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -62,7 +62,7 @@ fn colour(found: &Global, component: usize) -> RGBColor {
     }
 }
 
-/// Returns the entries of the legend.
+/// The entries of the legend.
 fn entries(found: &Global) -> Vec<(Mark, String)> {
     let is_drawn = |goes: fn(&BasinOutcome) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
     let attractors =
@@ -83,7 +83,7 @@ fn entries(found: &Global) -> Vec<(Mark, String)> {
     all
 }
 
-/// The number of a component, and what it is.
+/// The number and kind of a component.
 fn name(found: &Global, component: usize) -> String {
     let (number, kind) = (component + 1, &found.components[component].kind);
     match kind {
@@ -96,7 +96,7 @@ fn name(found: &Global, component: usize) -> String {
     }
 }
 
-/// The state space.
+/// Draws the state space.
 fn space(found: &Global, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let plane =
         Plane::draw(area, [Axis::angle(), Axis::over(0.0, found.fastest)], [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;

@@ -1,6 +1,6 @@
 //! Pictures: orbits as in figures 12-17, sweeps, what accuracy costs, and the manifolds of figures 10 and 11, as SVG.
 //!
-//! All of it is enclosed; where what is enclosed is wider than a pixel, it is drawn as a band or a box.
+//! All curves and points are enclosed; an enclosure wider than a pixel is drawn as a band or a box.
 //!
 //! ```
 //! use impact_pair::Scene;

@@ -1,4 +1,4 @@
-//! The bifurcation diagram of a parameter, in the colours of what is proved of each of its values, as SVG.
+//! The bifurcation diagram of a parameter, in the colours of the results proved for each value, as SVG.
 
 use anyhow::Result;
 use impact_pair::Scene;
@@ -11,7 +11,7 @@ use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, P
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
-/// Columns of the diagram, its rows, and in each column the impacts that are passed over, and those that are shown.
+/// Columns of the diagram, rows of the diagram, and the impacts of each column: how many are skipped and how many shown.
 const COLUMNS: u32 = 600;
 const ROWS: i32 = 260;
 const IMPACTS: [usize; 2] = [600, 160];
@@ -38,14 +38,14 @@ fn kind(verdict: &Verdict) -> usize {
     }
 }
 
-/// A column of the diagram: where it is, what is proved there, and the impacts of a floating-point orbit.
+/// A column of the diagram: value of the parameter, kind of the proved result, and impacts of a floating-point orbit.
 struct Column {
     at: f64,
     kind: usize,
     states: Vec<State>,
 }
 
-/// Returns the diagram of floating-point orbits over the parameter, and above it a bar, both in the colours of what is proved.
+/// The diagram of floating-point orbits over the parameter, with a bar above, both in the colours of the proved results.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -82,7 +82,7 @@ fn column(scene: &Scene, requested: &RangeSettings, found: &Cells, number: u32) 
     Ok(Column { at, kind, states })
 }
 
-/// Title, what is given, and axes.
+/// Draws title, fixed parameters and axes.
 fn frame(
     scene: &Scene,
     requested: &RangeSettings,

@@ -1,4 +1,4 @@
-//! Both invariant manifolds of a saddle in the section, and a homoclinic tangency of theirs magnified, at its value of the parameter and beside it, as SVG.
+//! Both invariant manifolds of a saddle in the section, and a homoclinic tangency magnified, at and near its parameter value, as SVG.
 
 use anyhow::{Context, Result};
 use impact_pair::Scene;
@@ -17,15 +17,15 @@ const SIZE: (u32, u32) = (1200, 940);
 /// Room on the right of the axes, and the radius of a mark.
 const RIGHT_MARGIN: i32 = 38 * SCALE;
 const RADIUS: i32 = 4 * SCALE;
-/// The greatest speed of the section, and how much is magnified.
+/// The greatest speed of the section, and the factor of magnification.
 const MAX_SPEED: f64 = 3.0;
 const MAGNIFICATION: f64 = 1000.0;
 /// Distance of the parameter from the tangency in panels (c) and (d), in the units of the scene.
 const PARAMETER_OFFSET: f64 = 1e-4;
 const NAMES: [&str; 2] = ["phase $θ$ of the impact, mirrored to the left wall [rad]", "speed $w = |v|/(AΩ)$"];
 
-/// Returns the picture of the first tangency: the section, and the part about a point of the orbit 1,000 times as large, at the tangency and
-/// `1e-4` to either side.
+/// The picture of the first tangency: the section, and the neighbourhood of a point of the orbit magnified 1,000 times, at the tangency
+/// and at parameter values `1e-4` below and above.
 ///
 /// # Errors
 /// Returns an error if there is no tangency, or the picture cannot be drawn.
@@ -65,7 +65,7 @@ pub fn tangency(scene: &Scene, found: &Tangencies, look: &Look) -> Result<String
     })
 }
 
-/// Title, what is given, and what the colours mean; how high that is.
+/// Draws title, fixed parameters and the meaning of the colours; returns their height.
 fn head(
     scene: &Scene,
     found: &Tangencies,
@@ -86,7 +86,7 @@ fn head(
     Ok(top + picture::legend(root, top, &entries)?)
 }
 
-/// The invariant manifolds, the saddle and the point of tangency.
+/// Draws the invariant manifolds, the saddle and the point of tangency.
 fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Drawn {
     let below = title(area, "(a)  both invariant manifolds in the section")?;
     let plane = Plane::draw(&below, [Axis::angle(), Axis::over(0.0, MAX_SPEED)], NAMES, RIGHT_MARGIN)?;
@@ -99,14 +99,14 @@ fn section(portrait: &Portrait, (area, root): (&Canvas<'_>, &Canvas<'_>)) -> Dra
     Ok(())
 }
 
-/// The invariant manifolds about the point of tangency.
+/// Draws the invariant manifolds near the point of tangency.
 fn magnified(
     (portrait, tangency): (&Portrait, &Tangency),
     pair: [f64; 2],
     (area, root): (&Canvas<'_>, &Canvas<'_>),
 ) -> Drawn {
     let within = [std::f64::consts::PI / MAGNIFICATION, 0.5 * MAX_SPEED / MAGNIFICATION];
-    // In thousandths, from the point on.
+    // In thousandths, relative to the point.
     let axes = within.map(|within| Axis::over(-1e3 * within, 1e3 * within));
     let [theta, w] = portrait.point;
     let names = [format!("$θ$ less {theta:.7} [0.001 rad]"), format!("$w$ less {w:.7} [0.001]")];

@@ -17,10 +17,10 @@ const SIZE: (u32, u32) = (900, 600);
 /// Room on the right of the axes, and the radius of a mark.
 const RIGHT_MARGIN: i32 = 30 * SCALE;
 const RADIUS: i32 = 4 * SCALE;
-/// Rows above and below a mark in which its label may stand.
+/// Rows above and below a mark in which its label may be placed.
 const ROWS: i32 = 6;
 
-/// A window in the plot: its value, the decimal logarithm of its width, its impacts, and whether all of it is proved.
+/// A window in the plot: value, decimal logarithm of the width, impacts, and whether all of the window is proved.
 struct Marked {
     at: f64,
     width: f64,
@@ -28,7 +28,7 @@ struct Marked {
     is_certified: bool,
 }
 
-/// Returns the windows whose ends are both proved: the value of the parameter, and the width.
+/// The windows whose ends are both proved: the value of the parameter, and the width.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -59,8 +59,8 @@ pub fn windows(scene: &Scene, found: &Windows, look: &Look) -> Result<String> {
     })
 }
 
-/// Returns the places of the labels of marks: the left end at half of the height of each. A label is on the right of its mark, on the left, above
-/// or below, or farther above and below: the first of these places at which it meets no mark and no earlier label.
+/// Places of the labels of marks: the left end at half the height of each label. A label is on the right of its mark, on the left, above
+/// or below, or farther above and below: at the first of these places where it meets no mark and no earlier label.
 fn places(marks: &[(i32, i32)], texts: &[String]) -> Vec<(i32, i32)> {
     let size = |text: &str| (text.len() as i32 * FONT * 3 / 5, FONT);
     let meets =
@@ -98,7 +98,7 @@ fn is_inside(found: &Windows, own: f64) -> bool {
     (value(found.over.low())..=value(found.over.high())).contains(&own)
 }
 
-/// Title, what is given, and axes.
+/// Draws title, fixed parameters and axes.
 fn frame(
     scene: &Scene,
     found: &Windows,
@@ -134,7 +134,7 @@ fn frame(
 mod tests {
     use super::*;
 
-    /// Labels of marks that are near one another, or at one place, overlap neither each other nor a mark.
+    /// Labels of marks that are close or coincide overlap neither each other nor a mark.
     #[test]
     fn labels_do_not_overlap() {
         let marks = [(100, 100), (104, 100), (100, 104), (108, 101), (400, 100), (401, 160)];

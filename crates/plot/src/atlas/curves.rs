@@ -1,4 +1,4 @@
-//! The paper's closed forms over the plane of an atlas: folds and pitchforks of equispaced motions (66)-(69), and where figures 12-17 are.
+//! The paper's closed forms over the plane of an atlas: folds and pitchforks of equispaced motions (66)-(69), and the places of figures 12-17.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ use crate::sweep::value;
 /// Points of a curve, and bits of a phase on it.
 const POINTS: u32 = 200;
 const BITS: u32 = 64;
-/// Forcing periods of the motions, two impacts in N of them: N is odd.
+/// Numbers N of forcing periods in which the motions have two impacts; N is odd.
 const CYCLES: [u32; 3] = [1, 3, 5];
 
 /// Number, `A/d` and `e` of the paper's figures.
@@ -43,7 +43,7 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Returns the parameters of a scene with one harmonic, of which those of the axes vary; `None` where another parameter does.
+    /// The parameters of a scene with one harmonic, if the axes are two of them; `None` where another parameter varies.
     pub fn of(scene: &SceneDocument, axes: &[Range; 2]) -> Option<Self> {
         let keys = axes.each_ref().map(|axis| axis.key());
         let is_one = |key: &Key| matches!(key, Key::Amplitude(_) | Key::Gap | Key::Restitution);
@@ -52,7 +52,7 @@ impl Parameters {
         keys.iter().all(is_one).then_some(Self { keys, amplitude: value(&amplitude.0), gap, restitution })
     }
 
-    /// The place on both axes at which `A/d` and `e` are these; of both lengths one is the scene's own, or where both vary, the gap is given.
+    /// The place on both axes of `A/d = alpha` and `e = restitution`; if both lengths vary, `gap` is the gap, else one length is the scene's own.
     fn place(&self, alpha: f64, restitution: f64, gap: f64) -> [f64; 2] {
         let varies = |key: fn(&Key) -> bool| self.keys.iter().any(key);
         let amplitude = if varies(|key| matches!(key, Key::Amplitude(_))) { alpha * gap } else { self.amplitude };
@@ -64,7 +64,7 @@ impl Parameters {
         })
     }
 
-    /// The points of a bifurcation over these ranges of both axes.
+    /// The points of a bifurcation over the ranges of both axes.
     pub fn curve(&self, kind: Bifurcation, cycles: u32, ranges: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let free = self.keys.iter().position(|key| *key == Key::Restitution);
         let part = |[low, high]: [f64; 2], i: u32| low + (high - low) * f64::from(i) / f64::from(POINTS);
@@ -83,7 +83,7 @@ impl Parameters {
         points.filter_map(|(e, gap)| Some(self.place(alpha(kind, cycles, e)?, e, gap))).collect()
     }
 
-    /// The figures that lie in these ranges, with their numbers; those at one place together.
+    /// The figures in the ranges of both axes, with their numbers; figures at one place share it.
     pub fn figures(&self, ranges: [[f64; 2]; 2]) -> Vec<(u32, [f64; 2])> {
         let is_free = self.keys.contains(&Key::Restitution);
         let is_own = |e: f64| is_free || e == self.restitution; // drawn
@@ -96,14 +96,14 @@ impl Parameters {
     }
 }
 
-/// Returns the curves that are drawn.
+/// The curves that are drawn.
 pub fn all() -> impl Iterator<Item = (Bifurcation, u32)> {
     CYCLES.into_iter().flat_map(|cycles| [(Bifurcation::Fold, cycles), (Bifurcation::Pitchfork, cycles)])
 }
 
-/// Returns `A/d` of a bifurcation: with `kappa = (1 + e)/(1 - e)` and `K = N pi kappa`, the motion has `d/A = 2 sin th0 + K cos th0`,
-/// and one of its eigenvalues is 1 at `tan th0 = (2/(N pi))/kappa`, the fold, and at `tan th0 = -(2/(N pi)) kappa`, the pitchfork; `None`
-/// where the latter grazes the near wall before.
+/// `A/d` at a bifurcation, N = `cycles`: with `kappa = (1 + e)/(1 - e)` and `K = N pi kappa`, `d/A = 2 sin th0 + K cos th0`. An eigenvalue
+/// is 1 at `tan th0 = (2/(N pi))/kappa`, the fold, and at `tan th0 = -(2/(N pi)) kappa`, the pitchfork; `None` where the motion at
+/// the pitchfork is virtual, as it grazes the near wall first.
 pub fn alpha(kind: Bifurcation, cycles: u32, e: f64) -> Option<f64> {
     let (kappa, half) = ((1.0 + e) / (1.0 - e), 2.0 / (f64::from(cycles) * PI));
     let theta = match kind {
@@ -115,7 +115,7 @@ pub fn alpha(kind: Bifurcation, cycles: u32, e: f64) -> Option<f64> {
     (inverse > 0.0 && !is_virtual).then(|| 1.0 / inverse)
 }
 
-/// Returns whether the motion that starts at a phase below 0 touches the wall that it leaves before the other one. Lemma W3
+/// Whether a motion that starts at a phase below 0 touches the wall of its departure before the other wall. Lemma W3
 fn grazes(theta: f64, e: f64) -> Option<bool> {
     let greatest = grazing_angle(&Real::of(&Exact::parse(&e.to_string()).ok()?, BITS))?;
     let (greatest, _) = greatest.enclosure().mid_rad();
@@ -126,7 +126,7 @@ fn grazes(theta: f64, e: f64) -> Option<bool> {
 mod tests {
     use super::*;
 
-    /// The forms of `A/d`: `1/sqrt(4 + K^2)` at the fold, and of the pitchfork the one in `K` and `kappa`; its window begins at e = 0.0867.
+    /// The forms of `A/d`: `1/sqrt(4 + K^2)` at the fold, and the form in `K` and `kappa` at the pitchfork, whose window begins at e = 0.0867.
     #[test]
     fn curves_are_those_of_the_closed_forms() {
         for (e, cycles) in [(0.2f64, 1u32), (0.5, 1), (0.5, 3), (0.8, 5)] {

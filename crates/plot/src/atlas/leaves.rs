@@ -10,8 +10,8 @@ use crate::picture::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
 use crate::records::Records;
 use crate::sweep::value;
 
-/// The classes, with their colours and what they say, the strongest one first; where neither of the first three is proved, a stable periodic orbit
-/// of all parameters of a cell, or a horseshoe, comes before them.
+/// The classes, with their colours and words, the strongest first. If none of the first three is proved, a stable periodic orbit
+/// for all parameters of a cell, or a horseshoe, takes precedence.
 pub const CLASSES: [(&str, RGBColor, &str); 7] = [
     ("one-rest-cycle", GREEN, "every motion that touches a wall ends in one cycle with rests"),
     ("one-attractor", BLUE, "every motion that touches a wall tends to one attractor, or stays at saddles or grazes"),
@@ -30,20 +30,20 @@ const HORSESHOE: &str = "horseshoe";
 pub struct Leaf {
     /// Ends on both axes.
     pub ends: [[f64; 2]; 2],
-    /// The class drawn for it, as a position in [`CLASSES`].
+    /// The class drawn for the point or cell, as a position in [`CLASSES`].
     pub class: usize,
-    /// The results proved there; without the parts of cells that are subdivided.
+    /// The proved results, without the parts of cells that are subdivided.
     pub record: AtlasRecord,
 }
 
-/// The points or cells that are there, and the axes.
+/// All points or cells, and the axes.
 pub struct Leaves {
     pub axes: [Range; 2],
     pub all: Vec<Leaf>,
 }
 
 impl Leaves {
-    /// Reads those of an atlas.
+    /// Reads the points or cells of an atlas.
     ///
     /// # Errors
     /// Returns an error if the atlas cannot be read, or has an unknown class.
@@ -74,7 +74,7 @@ impl Leaves {
         Ok(Self { axes, all })
     }
 
-    /// Returns the ends of the plane on both axes, with half a step around points.
+    /// The ends of the plane on both axes, with half a step around points.
     pub fn range(&self) -> [[f64; 2]; 2] {
         let own = self.axes.each_ref().map(|axis| [value(axis.low()), value(axis.high())]);
         self.all.iter().fold(own, |all, leaf| {
@@ -82,14 +82,14 @@ impl Leaves {
         })
     }
 
-    /// Returns the classes that occur, each with its number of points or cells.
+    /// The classes that occur, each with its number of points or cells.
     pub fn counts(&self) -> Vec<(usize, usize)> {
         let of = |class: usize| (class, self.all.iter().filter(|leaf| leaf.class == class).count());
         (0..CLASSES.len()).map(of).filter(|(_, count)| *count > 0).collect()
     }
 }
 
-/// Returns the class drawn for a point or a cell: its own, or the stable orbit or horseshoe proved where the class says little.
+/// The class drawn for a point or a cell: its own class, or the stable orbit or horseshoe proved where its class says little.
 fn shown(leaf: &AtlasRecord) -> &str {
     match leaf.class.as_str() {
         "closed" | "undecided" if !leaf.stable.is_empty() => STABLE,
@@ -98,7 +98,7 @@ fn shown(leaf: &AtlasRecord) -> &str {
     }
 }
 
-/// About the ends of a number or an interval.
+/// Approximate ends of a number or an interval.
 fn interval(x: &Exact) -> (f64, f64) {
     x.ends().map_or((value(x), value(x)), |(low, high)| (value(&low), value(&high)))
 }

@@ -1,4 +1,4 @@
-//! The page: one HTML file without anything from elsewhere, in which each point or cell says what is proved of it, and how to prove it again.
+//! The page: a self-contained HTML file, in which each point or cell shows its proved results and how to prove them again.
 
 use std::fmt::Write;
 
@@ -11,10 +11,10 @@ use super::map::{SIZE, drawn};
 use crate::picture::{Look, Theme, hex, program};
 use crate::records::Records;
 
-/// The page without its data; `{{NAME}}` stands for what is put in.
+/// The page without its data; `{{NAME}}` is a placeholder.
 const PAGE: &str = include_str!("page.html");
 
-/// Returns the page.
+/// The page.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
@@ -33,7 +33,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
         "leaves": leaves.all.iter().map(|leaf| leaf_text(head, leaf)).collect::<Result<Vec<_>>>()?,
         "command": format!("impact-pair global - {} <<'END'", settings(head)),
     });
-    // No tag can end within it.
+    // No HTML tag can end within the data.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
     let parts = [
         ("TITLE", escaped(&title)),
@@ -54,7 +54,7 @@ pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
     Ok(page)
 }
 
-/// Returns the data of a point or a cell on the page: class, components, their order, and the scene.
+/// The data of a point or a cell on the page: class, components, their order, and the scene.
 fn leaf_text(head: &AtlasHead, leaf: &Leaf) -> Result<Value> {
     let global = leaf.record.global(head).context("an axis is no parameter of the scene")?;
     Ok(json!({
@@ -129,7 +129,7 @@ fn toml(scene: &SceneDocument) -> String {
     text
 }
 
-/// The options of `global` that the atlas had.
+/// The options of `global` with which the atlas was computed.
 fn settings(head: &AtlasHead) -> String {
     let horseshoes = head.horseshoes.map_or(String::new(), |depth| format!(" --horseshoes {depth}"));
     let AtlasHead { halvings, most, work, digits, .. } = head;
@@ -156,12 +156,12 @@ fn table(head: &AtlasHead, leaves: &Leaves) -> String {
     text
 }
 
-/// Text as HTML has it.
+/// Text with HTML's special characters escaped.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A picture as an address that holds it.
+/// A picture as a `data:` address.
 fn uri(svg: &str) -> String {
     let mut text = String::from("data:image/svg+xml,");
     for byte in svg.bytes() {

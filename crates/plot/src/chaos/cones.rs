@@ -1,5 +1,5 @@
-//! An h-set in its own coordinates, in which it is a square from -1 to 1: the strips of the words of a hyperbolic set, the leaves along which
-//! images lie across it, and cones of expanding directions.
+//! An h-set in its own coordinates, as the square from -1 to 1: the strips of the words of a hyperbolic set, the leaves along which
+//! images cross the h-set, and cones of expanding directions.
 
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, Cone, Hyperbolic, State};
@@ -18,13 +18,13 @@ const CONE_SIZE: [f64; 2] = [0.1, 0.2];
 /// Width of leaves.
 pub const LEAF_WIDTH: i32 = SCALE;
 
-/// Returns the h-set that most cones are in, by its place among all.
+/// Index of the h-set with the most cones.
 fn shown(found: &Chaos, set: &Hyperbolic) -> usize {
     let cones = |base: usize| set.cones.iter().filter(|cone| found.words()[cone.word].to == base).count();
     (0..found.bases().len()).rev().max_by_key(|&base| cones(base)).unwrap_or(0)
 }
 
-/// Draws the h-set that most cones are in.
+/// Draws the h-set with the most cones.
 pub fn draw(scene: &Scene, (found, set): (&Chaos, &Hyperbolic), area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let base = shown(found, set);
     let names = ["along the h-set, in half lengths", "across it, in half widths"];
@@ -50,7 +50,7 @@ fn strip([left, right]: [[f64; 2]; 2]) -> Vec<State> {
     vec![[left[0], -1.0], [right[0], -1.0], [right[1], 1.0], [left[1], 1.0]]
 }
 
-/// Some of the cones where a word's cells are mapped to, all along the h-set, each as two triangles.
+/// Some cones at the images of a word's cells, spread along the h-set, each as two triangles.
 fn wedges(set: &Hyperbolic, number: usize) -> Vec<Vec<State>> {
     let own: Vec<&Cone> = set.cones.iter().filter(|cone| cone.word == number).collect();
     let near = |at: f64| {

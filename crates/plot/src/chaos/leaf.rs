@@ -1,4 +1,4 @@
-//! The h-sets of a horseshoe in the coordinates of one of them, along its leaf and across it: there it is a square from -1
+//! The h-sets of a horseshoe in the coordinates along and across the leaf of one h-set: this h-set is the square from -1
 //! to 1, and the others lie above and below it.
 
 use std::collections::BTreeSet;
@@ -18,11 +18,11 @@ use crate::sweep::value;
 
 /// Width of the margin shown around the h-sets, in half sides of an h-set.
 pub const VIEW_MARGIN: f64 = 0.3;
-/// H-sets further off across the leaf are not shown.
+/// H-sets farther away across the leaf are not shown.
 const MAX_OFFSET: f64 = 12.0;
 /// States of an h-set's middle line that are followed.
 const SAMPLES: usize = 2000;
-/// Neighbours among them whose images are further apart have a graze between them.
+/// Neighbouring states whose images are farther apart than this have a graze between them.
 const GRAZE_DISTANCE: f64 = 0.3;
 /// Colours of the images by both words, and their width.
 pub const COLOURS: [RGBColor; 2] = [BLUE, GREEN];
@@ -36,7 +36,7 @@ pub struct Leaf {
 }
 
 impl Leaf {
-    /// Returns those of an h-set.
+    /// The coordinates of an h-set.
     pub fn of(base: &HSet) -> Self {
         let [a, b, c, d, _] = round(base);
         let of = |signs: [f64; 4]| {
@@ -45,7 +45,7 @@ impl Leaf {
         Self { centre: of([1.0; 4]), along: of([-1.0, 1.0, 1.0, -1.0]), across: of([-1.0, -1.0, 1.0, 1.0]) }
     }
 
-    /// Returns a state in the coordinates of the h-set (along the leaf, across it), its phase taken modulo whole forcing periods.
+    /// A state in the coordinates of the h-set (along the leaf, across it), with its phase modulo whole forcing periods.
     fn place(&self, state: &State) -> State {
         let (phase, w) = (state[0] - self.centre[0], state[1] - self.centre[1]);
         let u = phase - phase.round();
@@ -54,7 +54,7 @@ impl Leaf {
         [(u * d - w * c) / area, (a * w - b * u) / area]
     }
 
-    /// States of its middle line, from its left to its right edge.
+    /// States of the h-set's middle line, from its left to its right edge.
     fn middle(&self) -> impl Iterator<Item = State> + '_ {
         (0..SAMPLES).map(|k| {
             let part = 2.0 * (k as f64 + 0.5) / SAMPLES as f64 - 1.0;
@@ -63,7 +63,7 @@ impl Leaf {
     }
 }
 
-/// Returns the two words of the horseshoe by the h-sets that they lead from and to: of each h-set both, or it is left out.
+/// For each of the horseshoe's two words, its instances between h-sets; h-sets from which only one word leads are left out.
 pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
     let Some(names) = found.horseshoe() else { return [const { Vec::new() }; 2] };
     let named = |name: &Word| found.words().iter().filter(|word| word.is_same_block(name)).collect::<Vec<_>>();
@@ -72,7 +72,7 @@ pub fn words(found: &Chaos) -> [Vec<&Word>; 2] {
     [first.iter().filter(both).copied().collect(), second.iter().filter(both).copied().collect()]
 }
 
-/// Returns the h-sets with the images of theirs that lie across them, in coordinates of the first h-set of the horseshoe.
+/// Draws the h-sets with their images that lie across them, in coordinates of the first h-set of the horseshoe.
 pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) -> Drawn {
     let both = words(found);
     let concerned: BTreeSet<usize> = both.iter().flatten().flat_map(|word| [word.from, word.to]).collect();
@@ -101,7 +101,7 @@ pub fn draw(scene: &Scene, found: &Chaos, area: &Canvas<'_>, root: &Canvas<'_>) 
     Ok(())
 }
 
-/// Returns the image of an h-set's middle line by a word where it lies across the other h-set: of certified impacts.
+/// The image of an h-set's middle line under a word, where it lies across the other h-set: of certified impacts.
 pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Vec<State>> {
     let [from, to] = [word.from, word.to].map(|number| Leaf::of(&found.bases()[number]));
     let images = from.middle().map(|state| image(scene.pair(), state, &word.walls));
@@ -123,7 +123,7 @@ pub fn strips(scene: &Scene, found: &Chaos, word: &Word, shown: &Leaf) -> Vec<Ve
     strips
 }
 
-/// Returns the state after impacts on these walls; `None` if the walls differ, or if doubles do not certify the orbit.
+/// The state after impacts on these walls; `None` if the walls differ, or if doubles do not certify the orbit.
 fn image(pair: &ImpactPair, [phase, speed]: State, walls: &[Wall]) -> Option<State> {
     let harmonic = pair.excitation().only()?;
     let (gaps, amplitudes) = (Units::gaps(pair).ok()?.map(value), Units::amplitudes(harmonic).ok()?.map(value));
@@ -152,7 +152,7 @@ mod tests {
         assert!(near([1.8702, 1.119], [-1.0, -1.0]));
     }
 
-    /// A start of equations (66), (67) comes back to itself, and the other wall's impact mirrored to it is itself again.
+    /// A start of equations (66), (67) is mapped to itself, and so is the mirror image of the impact on the other wall.
     #[test]
     fn the_state_of_an_equispaced_motion_is_its_own_image() {
         let scene = Scene::parse(

@@ -1,4 +1,4 @@
-//! The graph of components: each above those that motions may go to from it.
+//! The graph of components: each component above the components to which motions may lead.
 
 use impact_pair::chaos::Global;
 use plotters::prelude::*;
@@ -13,7 +13,7 @@ const MARGIN: i32 = 30 * SCALE;
 /// Length of the head of an arrow.
 const ARROW_HEAD: f64 = 9.0 * SCALE as f64;
 
-/// Draws the components, as many as there is room for, and arrows between those that no third one is between.
+/// Draws the components, as many as there is room for, and arrows between components with no third component in between.
 pub fn draw(found: &Global, area: &Canvas<'_>) -> Drawn {
     let count = found.components.len().min(MAX_COMPONENTS);
     let leads = |from: usize, to: usize| found.order.contains(&[from, to]);
@@ -44,8 +44,8 @@ pub fn draw(found: &Global, area: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// Returns for each component the length of the longest path of arrows that leads to it. Arrows lead to components of
-/// greater numbers, except for those of the last component.
+/// For each component the length of the longest path of arrows to it. Arrows lead to components of
+/// greater numbers, except for the arrows of the last component.
 fn depths(count: usize, arrows: &[[usize; 2]]) -> Vec<usize> {
     let mut depths = vec![0; count];
     for _ in 0..count {
@@ -65,7 +65,7 @@ fn places(depths: &[usize], area: &Canvas<'_>) -> Vec<(i32, i32)> {
         let own = |&k: &usize| depths[k] == depths[i];
         let (before, all) = ((0..i).filter(own).count() as i32, (0..depths.len()).filter(own).count() as i32);
         let x = MARGIN + before * (wide as i32 - 2 * MARGIN) / all;
-        // Neighbours of a row are set off, so that their names do not meet.
+        // Neighbours in a row are shifted, so that their names do not overlap.
         (x, MARGIN + depths[i] as i32 * step + before % 2 * 2 * RADIUS)
     };
     (0..depths.len()).map(place).collect()

@@ -7,15 +7,15 @@ use super::style::Style;
 use super::trace::{Part, Point};
 use crate::picture::{Canvas, Drawn, Element, Path, Plane, SCALE, hermite, hex};
 
-/// A segment goes over N points of a stroke: a twenty-fourth of a forcing period.
+/// Points of a stroke for one Bézier segment, which is 1/24 of a forcing period long.
 pub const POINTS_PER_SEGMENT: usize = 4;
-/// Number of flights from which on they are translucent, and their least opacity.
+/// Number of flights from which on curves are translucent, and the least opacity.
 const TRANSLUCENT_FROM: f64 = 30.0;
 const MIN_OPACITY: f64 = 0.2;
-/// Jumps are fainter than flights, but do not darken each other: they lie on walls.
+/// Opacity of jumps: jumps are fainter than flights, but do not darken each other, since they lie on walls.
 const JUMP_OPACITY: f64 = 0.45;
 
-/// Returns a stroke's curve on a panel.
+/// The curve of a stroke on a panel.
 pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     let middle = |point: &Point| frame.place(point).map(|span| span.middle);
     let mut path = Path::default();
@@ -35,10 +35,10 @@ pub fn path(points: &[Point], frame: &Frame<'_>, plane: &Plane) -> Path {
     path
 }
 
-/// The style of one kind of strokes: their parts, width in pixels as they are shown, and opacity.
+/// The style of one kind of strokes: their parts, width in pixels of the picture, and opacity.
 type Look = (&'static [Part], f64, f64);
 
-/// Draws all curves of a panel, those of the transient first.
+/// Draws all curves of a panel, with the curves of the transient first.
 pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let mut svg = String::new();
     for is_transient in [true, false] {
@@ -68,7 +68,7 @@ pub fn draw(frame: &Frame<'_>, style: Style, plane: &Plane, root: &Canvas<'_>) -
     Ok(())
 }
 
-/// Paths of one look; dense ones each by itself, so that they darken each other.
+/// Writes the paths of one style; each dense path is an element of its own, so that paths darken each other.
 fn group(svg: &mut String, paths: &[Path], is_dense: bool, colour: &str, (width, opacity): (f64, f64)) {
     let width = width * f64::from(SCALE);
     // Writing to a String cannot fail.

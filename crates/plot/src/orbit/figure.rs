@@ -1,4 +1,4 @@
-//! A picture of a scene: how far its orbit is followed for the panels requested, and what is drawn of it.
+//! A picture of a scene: the length of the orbit for the requested panels, and the drawing.
 
 use std::ops::ControlFlow;
 
@@ -28,7 +28,7 @@ pub struct Figure {
     pub transient: usize,
     /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
-    /// Length of the orbit, where one is given, and digits; of the table `[run]` only the digits are used.
+    /// Length of the orbit, if requested, and digits; of the table `[run]` only the digits are used.
     pub run: Run,
     /// The arithmetic that computes the orbit.
     pub arithmetic: Arithmetic,
@@ -41,7 +41,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Cycles over which curves are drawn: of phase planes more than of time panels.
+    /// Cycles over which curves are drawn: in phase planes more than in time panels.
     fn curve_cycles(&self) -> u32 {
         let most = self.panels.iter().map(|panel| match panel {
             Panel::Displacement | Panel::Velocity => self.cycles,
@@ -51,7 +51,7 @@ impl Figure {
         most.max().unwrap_or(0)
     }
 
-    /// Returns how far the orbit of a scene is followed: where nothing is said, as far as the panels need.
+    /// The settings of the scene's orbit; without a requested length, as long as the panels need.
     pub fn settings(&self, scene: &Scene) -> Settings {
         let requested = self.run.impacts.is_some() || self.run.until.is_some();
         let many = self.panels.iter().any(|panel| panel.is_section());
@@ -69,7 +69,7 @@ impl Figure {
         Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }
     }
 
-    /// Follows the orbit of a scene, which has not gone on yet, and draws it as SVG; says how it ended, too.
+    /// Follows the orbit of a scene from its start, and draws it as SVG; also returns how the orbit ended.
     pub fn draw<'s>(
         &self,
         scene: &Scene,

@@ -7,7 +7,7 @@ use impact_pair::pair::Wall;
 use super::trace::{Crossing, Part, Point, Span, Stroke, Trace};
 use crate::picture::Axis;
 
-/// Free room beyond the walls, in parts of the gap.
+/// Free room beyond the walls, as a fraction of the gap.
 const WALL_MARGIN: f64 = 0.08;
 
 /// A panel of the paper's figures 12-17.
@@ -41,7 +41,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    /// All of them, in the order of the paper.
+    /// All panels, in the order of the paper.
     pub const ALL: [Self; 8] = [
         Self::Displacement,
         Self::Velocity,
@@ -53,32 +53,32 @@ impl Panel {
         Self::SectionRight,
     ];
 
-    /// Returns whether it shows impacts alone.
+    /// Whether the panel shows only impacts.
     pub fn is_section(self) -> bool {
         self >= Self::SwitchPlane
     }
 }
 
-/// A panel of a trace: its axes and what is drawn on them.
+/// A panel of a trace: its axes and the content drawn on them.
 pub struct Frame<'t> {
     pub panel: Panel,
-    /// The letter that it is named by on its sheet: the paper's, or another one.
+    /// The letter of the panel on its sheet: the paper's letter, or another.
     letter: char,
     trace: &'t Trace,
-    /// Forcing periods since the start from which and up to which curves are drawn, and the axis of time goes.
+    /// Beginning and end of the curves and of the time axis, in forcing periods since the start.
     begin: f64,
     end: f64,
-    /// True if a part of the time is magnified.
+    /// True if the panel magnifies a part of the time.
     pub is_magnified: bool,
 }
 
 impl Panel {
-    /// Returns the letter of the paper.
+    /// The letter of the paper.
     pub fn letter(self) -> char {
         (b'a' + self as u8) as char
     }
 
-    /// Returns what the paper calls it.
+    /// The name of the panel in the paper.
     pub fn title(self) -> &'static str {
         match self {
             Self::Displacement => "time–displacement",
@@ -92,7 +92,7 @@ impl Panel {
         }
     }
 
-    /// Returns the quantities on its axes, with their units.
+    /// The quantities on the axes, with their units.
     pub fn quantities(self) -> [&'static str; 2] {
         match self {
             Self::Displacement => ["$t$ [time]", "$y$ [length]"],
@@ -106,38 +106,38 @@ impl Panel {
         }
     }
 
-    /// Returns whether time runs along it.
+    /// Whether one axis is time.
     pub fn is_of_time(self) -> bool {
         matches!(self, Self::Displacement | Self::Velocity)
     }
 }
 
 impl<'t> Frame<'t> {
-    /// Returns the panel with curves of N cycles.
+    /// The panel with the curves of `cycles` cycles.
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // After the last proved event the rest of the requested time is shown as undecided.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
         Self { panel, letter: panel.letter(), trace, begin: 0.0, end, is_magnified: false }
     }
 
-    /// Returns the panel named by another letter than the paper's.
+    /// The panel with another letter than the paper's.
     pub fn lettered(self, letter: char) -> Self {
         Self { letter, ..self }
     }
 
-    /// Returns what the panel is headed by: its letter, and what the paper calls it.
+    /// The heading of the panel: its letter, and its name in the paper.
     pub fn heading(&self) -> String {
         let magnified = if self.is_magnified { ", magnified" } else { "" };
         format!("({})  {}{magnified}", self.letter, self.panel.title())
     }
 
-    /// Returns the panel of time between these two times.
+    /// The time panel between two times.
     pub fn magnified(panel: Panel, trace: &'t Trace, [from, to]: [f64; 2]) -> Self {
         let turns = |time: f64| (time - trace.start) / trace.period;
         Self { panel, letter: panel.letter(), trace, begin: turns(from), end: turns(to), is_magnified: true }
     }
 
-    /// Returns where a state is on this panel.
+    /// The place of a state on this panel.
     pub fn place(&self, point: &Point) -> [Span; 2] {
         match self.panel {
             Panel::Displacement => [point.time, point.displacement],
@@ -147,7 +147,7 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// Returns how fast that changes, per forcing period.
+    /// The derivative of the place of a state, per forcing period.
     pub fn rate(&self, point: &Point) -> [f64; 2] {
         let (acceleration, absolute) = point.accelerations;
         let rate = match self.panel {
@@ -159,7 +159,7 @@ impl<'t> Frame<'t> {
         rate.map(|rate| rate * self.trace.period)
     }
 
-    /// Returns the curves shown, those of impacts' jumps among them. Of what is magnified whole strokes, which the frame cuts.
+    /// The curves shown, jumps of impacts included. A magnified panel has whole strokes, which its frame clips.
     pub fn strokes(&self) -> impl Iterator<Item = (&'t Stroke, &'t [Point])> {
         let strokes = if self.panel.is_section() { &[] } else { self.trace.strokes.as_slice() };
         let (begin, end) = (self.begin, self.end);
@@ -175,14 +175,14 @@ impl<'t> Frame<'t> {
         })
     }
 
-    /// Returns the coordinates of the points of the curves shown.
+    /// The coordinates of the points of the curves shown.
     fn places(&self) -> impl Iterator<Item = [Span; 2]> {
         let shown = self.begin..=self.end;
         let points = self.strokes().flat_map(|(_, points)| points);
         points.filter(move |point| shown.contains(&point.at)).map(|point| self.place(point))
     }
 
-    /// Returns the impacts shown, and how many are before each of them.
+    /// The impacts shown, each with the number of impacts before it.
     pub fn crossings(&self) -> impl Iterator<Item = (usize, Wall, [Span; 2])> {
         let shown = move |(_, crossing): &(usize, &Crossing)| match self.panel {
             Panel::SwitchPlane | Panel::AbsoluteSwitchPlane => true,
@@ -199,7 +199,7 @@ impl<'t> Frame<'t> {
         })
     }
 
-    /// Returns a place on an axis of angles, in two parts where it goes beyond a whole forcing period.
+    /// A place on an axis of angles, in two parts where the place extends beyond a whole forcing period.
     pub fn wrapped(&self, place: [Span; 2]) -> impl Iterator<Item = [Span; 2]> {
         let [angle, other] = place;
         let is_angle = self.panel.is_section() && self.panel != Panel::AbsoluteSwitchPlane;
@@ -217,7 +217,7 @@ impl<'t> Frame<'t> {
         marks.iter().filter(move |mark| shown.contains(&mark.point.at)).map(|mark| (mark.kind, self.place(&mark.point)))
     }
 
-    /// Returns where the walls are, on the axis they are on.
+    /// The axis across the walls, and the places of the walls on that axis.
     pub fn walls(&self) -> Option<(usize, [Span; 2])> {
         let wall = self.trace.wall;
         let walls = [wall.negated(), wall];
@@ -228,13 +228,13 @@ impl<'t> Frame<'t> {
         }
     }
 
-    /// Returns the range of time in which nothing is proved \[time\].
+    /// The range of time in which nothing is proved \[time\].
     pub fn open(&self) -> Option<(f64, f64)> {
         let (from, to) = (self.trace.known.max(self.begin), self.end);
         (self.panel.is_of_time() && self.trace.is_open && from < to).then(|| (self.time(from), self.time(to)))
     }
 
-    /// Returns the last state that is proved, where time does not show it.
+    /// The last proved state, on panels without a time axis.
     pub fn last(&self) -> Option<[Span; 2]> {
         let is_cut =
             !self.trace.is_open || self.panel.is_of_time() || self.panel.is_section() || self.trace.known > self.end;
@@ -247,13 +247,13 @@ impl<'t> Frame<'t> {
         turns.mul_add(self.trace.period, self.trace.start)
     }
 
-    /// Returns the axis from wall to wall.
+    /// The axis from wall to wall.
     pub fn gap(&self) -> Axis {
         let half = (1.0 + 2.0 * WALL_MARGIN) * self.trace.wall.high;
         Axis::between(-half, half)
     }
 
-    /// Returns the axes: all that is shown lies on them.
+    /// The axes: everything shown lies on them.
     pub fn axes(&self) -> [Axis; 2] {
         let all = |axis: usize| {
             let curves = self.places().map(move |place| place[axis]);

@@ -13,7 +13,7 @@ use super::trace::Span;
 use crate::picture::{Axis, Canvas, Dots, Drawn, Plane, SCALE, hull, words};
 
 const TICK_FONT: i32 = 15 * SCALE;
-/// The least height and width of the frame around what is magnified elsewhere.
+/// Least height and width of the frame around a magnified part.
 const MIN_FRAME: i32 = 20 * SCALE;
 
 type Pixel = (i32, i32);
@@ -26,13 +26,13 @@ fn corners(plane: &Plane, [x, y]: [Span; 2]) -> [Pixel; 2] {
     [plane.pixel([x.low, y.high]), plane.pixel([x.high, y.low])]
 }
 
-/// Returns whether a box is wider than a pixel as it is shown.
+/// Whether a box is wider than a pixel of the picture.
 fn is_wide(plane: &Plane, place: [Span; 2]) -> bool {
     let [a, b] = corners(plane, place);
     (b.0 - a.0).max(b.1 - a.1) > SCALE
 }
 
-/// Draws the panel into `area` of `root`, with a frame around what is magnified elsewhere. Says whether any box was
+/// Draws the panel into `area` of `root`, with a frame around the part that is magnified elsewhere. Returns whether any box was
 /// wide enough to be drawn.
 pub fn draw(
     frame: &Frame<'_>,
@@ -67,7 +67,7 @@ pub fn draw(
     Ok(has_boxes)
 }
 
-/// The impacts on both walls, those of the transient first.
+/// Draws the impacts on both walls, with the impacts of the transient first.
 fn impacts(
     frame: &Frame<'_>,
     style: Style,
@@ -102,11 +102,11 @@ pub fn title<'c>(area: &Canvas<'c>, text: &str) -> Result<Canvas<'c>, Box<dyn st
     Ok(below)
 }
 
-/// Title, mesh and names of the axes.
+/// Draws title, mesh and names of the axes.
 fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::error::Error>> {
     let below = title(area, &frame.heading())?;
     let axes = frame.axes();
-    // A motion in a gap that is not resolved is not seen on any axis.
+    // A motion in a gap that doubles do not resolve is not visible on any axis.
     [frame.gap()].iter().chain(&axes).try_for_each(Axis::require_resolved)?;
     let [x, y] = axes.clone();
     // The names of walls may stand above.
@@ -135,7 +135,7 @@ fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::erro
     Ok(Plane { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
 }
 
-/// The walls, as wide as they are known to be, with their names.
+/// Draws the walls, as wide as their proved bounds, with their names.
 fn walls(frame: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let Some((axis, walls)) = frame.walls() else { return Ok(()) };
     for (span, name) in walls.into_iter().zip(["$-d/2$", "$d/2$"]) {
@@ -162,7 +162,7 @@ fn walls(frame: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// The frame around what another panel magnifies.
+/// Draws the frame around the part that another panel magnifies.
 fn window(inner: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let [x, y] = inner.axes().map(|axis| axis.range());
     let ((left, bottom), (right, top)) = (plane.pixel([x.start, y.start]), plane.pixel([x.end, y.end]));
@@ -175,7 +175,7 @@ fn window(inner: &Frame<'_>, plane: &Plane, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// Draws the area that the boxes of a curve sweep, where they are wide enough to be seen. Returns whether any are.
+/// Draws the area that the boxes of a curve sweep, where boxes are wide enough to be seen. Returns whether any are.
 fn band(
     places: &[[Span; 2]],
     colour: RGBColor,

@@ -1,4 +1,4 @@
-//! Follows an orbit event by event and records what figures draw of it.
+//! Follows an orbit event by event and records its trace for figures.
 
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::number::Ball;
@@ -7,11 +7,11 @@ use impact_pair::pair::Wall;
 
 use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
 
-/// Points of a flight: in a forcing period, and at least.
+/// Points of a flight: per forcing period, and the least number.
 const POINTS_PER_PERIOD: f64 = 96.0;
 const POINTS_PER_HOP: u32 = 32;
 
-/// A phase: whole forcing periods since the clock's origin and the rest.
+/// A phase: whole forcing periods since the clock's origin, and the rest.
 type Phase = (i64, Ball);
 
 /// The present motion of the ball.
@@ -28,7 +28,7 @@ pub struct Recorder {
     /// Forcing periods since the start up to which curves are drawn.
     window: f64,
     start: Phase,
-    /// The last event, the state after it where that is an impact, what the ball does since, and whether it has
+    /// The last event, the state after an impact, the motion since, and whether the ball has
     /// grazed a wall since the last impact.
     last: Phase,
     after: Option<Point>,
@@ -36,7 +36,7 @@ pub struct Recorder {
     has_grazed: bool,
 }
 
-/// Returns when `cycles` have passed since the start \[time\]; `None` where that is beyond what exact numbers hold.
+/// The time at which `cycles` cycles have passed since the start \[time\]; `None` beyond the range of exact expressions.
 pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
     let turns = Exact::pi().checked_mul(&Exact::from(2 * i64::from(cycles))).ok()?;
     let lasting = turns.checked_div(scene.pair().excitation().reference().frequency()).ok()?;
@@ -45,7 +45,7 @@ pub fn end_of(scene: &impact_pair::Scene, cycles: u32) -> Option<Exact> {
 }
 
 impl Recorder {
-    /// Returns the recorder of an orbit that has not advanced yet, for the curves of N cycles.
+    /// The recorder of an orbit that has not advanced yet, for the curves of `cycles` cycles.
     pub fn new(orbit: &Orbit, cycles: u32) -> Self {
         let (course, turns, phase) = orbit.first_course();
         let wall = Span::from(&orbit.wall_displacement());
@@ -80,7 +80,7 @@ impl Recorder {
         turns.saturating_sub(self.start.0) as f64 + (phase.mid() - self.start.1.mid())
     }
 
-    /// The phase of N forcing periods since the start.
+    /// The phase `at` forcing periods after the start.
     fn phase(&self, at: f64) -> Phase {
         let turns = self.start.1.mid() + at;
         (self.start.0.saturating_add(turns.round() as i64), Ball::exact(turns - turns.round()))
@@ -135,12 +135,12 @@ impl Recorder {
         (self.last, self.after) = (phase, ends.map(|[_, after]| after));
     }
 
-    /// Returns the possible states of the ball around an uncertain impact: in the second half of the time of the impact without it,
+    /// The possible states of the ball around an uncertain impact: in the second half of the impact's time without the impact,
     /// and in the first half after it. `None` if the time is exact.
     fn either(&self, orbit: &Orbit, impact: &Impact) -> Option<Vec<Point>> {
         let half = 0.5 * impact.phase.rad();
         let over = |course: &Course, from_middle: f64| {
-            // Half of the ball, and what the sum may have been rounded by.
+            // Half of the ball, and the rounding error of the sum.
             let middle = impact.phase.mid() + from_middle;
             let phase = Ball::new(middle, half).widened(middle.abs() * f64::EPSILON);
             let point = orbit.course_point(course, impact.turns, phase)?;
@@ -155,7 +155,7 @@ impl Recorder {
         self.trace.strokes.push(Stroke { part, impacts: self.trace.crossings.len(), points });
     }
 
-    /// An event with zero velocity.
+    /// Records an event with zero velocity.
     fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
         self.follow(orbit, phase);
         let point = self.point(orbit, phase).filter(|point| point.at <= self.window);
@@ -163,7 +163,7 @@ impl Recorder {
         (self.last, self.after) = (phase, None);
     }
 
-    /// Returns the state of the ball at a phase.
+    /// The state of the ball at a phase.
     fn point(&self, orbit: &Orbit, phase: Phase) -> Option<Point> {
         let point = match &self.now {
             Now::Flies(course) => orbit.course_point(course, phase.0, phase.1),
@@ -181,7 +181,7 @@ impl Recorder {
         self.sweep(orbit, part, to, None);
     }
 
-    /// Records the motion up to a phase, where it is at `end` if that is given.
+    /// Records the motion up to a phase, with the state `end` there if it is given.
     fn sweep(&mut self, orbit: &Orbit, part: Part, to: Phase, end: Option<Point>) {
         let (first, last) = (self.at(self.last), self.at(to));
         self.trace.known = self.trace.known.max(last);
@@ -199,7 +199,7 @@ impl Recorder {
         self.stroke(part, points);
     }
 
-    /// Returns what is known after the last event.
+    /// The trace, with the end of the known motion.
     pub fn finish(mut self, orbit: &Orbit, settings: &Settings, impacts: u64) -> Trace {
         match orbit.outcome() {
             None | Some(Outcome::Undecided { .. }) => self.trace.is_open = true,
@@ -217,7 +217,7 @@ impl Recorder {
     }
 }
 
-/// Times between two others: of the grid that the time panels end on, or of a finer one for a hop.
+/// Times between `first` and `last`: of the grid on which the time panels end, or of a finer grid for a short flight.
 fn inner(first: f64, last: f64) -> Vec<f64> {
     if (last - first) * POINTS_PER_PERIOD < f64::from(POINTS_PER_HOP) {
         let step = (last - first) / f64::from(POINTS_PER_HOP);

@@ -1,4 +1,4 @@
-//! One panel or a sheet of them, with caption and legend.
+//! A panel or a sheet of panels, with caption and legend.
 
 use anyhow::Result;
 use impact_pair::Scene;
@@ -12,7 +12,7 @@ use super::symbols;
 use super::trace::Trace;
 use crate::picture::{self, Canvas, Drawn, LETTER_WIDTH, Look, SCALE, greek, typeset_text, words, wrapped};
 
-/// The sizes of a panel that stands alone, and of one on a sheet, as they are shown.
+/// Sizes of a single panel, and of a panel on a sheet, in pixels of the picture.
 const SINGLE_PANEL_SIZE: (i32, i32) = (900, 560);
 const SHEET_PANEL_SIZE: (i32, i32) = (560, 400);
 /// The distance of the lines of the caption, and the margin around it.
@@ -42,17 +42,17 @@ pub struct Sheet<'s> {
 }
 
 impl Sheet<'_> {
-    /// Returns the picture as SVG.
+    /// The picture as SVG.
     ///
     /// # Errors
     /// Returns an error if the picture cannot be drawn.
     pub fn svg(&self) -> Result<String> {
-        // The drawing determines whether boxes are wide enough to be seen and so need an entry in the legend.
+        // The drawing shows whether boxes are wide enough to be seen and so need an entry in the legend.
         let (svg, has_boxes) = self.drawn(true)?;
         if has_boxes { Ok(svg) } else { Ok(self.drawn(false)?.0) }
     }
 
-    /// The picture, with or without boxes in its legend, and whether there are any in its panels.
+    /// The picture, with or without boxes in its legend, and whether its panels have boxes.
     fn drawn(&self, explains_boxes: bool) -> Result<(String, bool)> {
         let frames = self.frames();
         let columns = if frames.len() == 1 { 1 } else { 2 };
@@ -82,7 +82,7 @@ impl Sheet<'_> {
         Ok((svg, has_boxes))
     }
 
-    /// The panels in their order, time panels that are magnified after those that are not.
+    /// The panels in their order; a magnified time panel follows the panel that it magnifies.
     fn frames(&self) -> Vec<Frame<'_>> {
         let shown = |panel: &Panel| {
             let cycles = if panel.is_of_time() { self.cycles } else { self.orbit_cycles };
@@ -94,7 +94,7 @@ impl Sheet<'_> {
         time.iter().map(shown).chain(magnified).chain(others.iter().map(shown)).collect()
     }
 
-    /// Title, parameters, start, what is certified, what is shown, and the program; in lines of this width, and their sizes.
+    /// Title, parameters, start, certification, content and program, in lines of at most `width` pixels, with their font sizes.
     fn caption(&self, width: i32) -> Vec<(String, i32)> {
         let scene = self.scene;
         let excitation = scene.pair().excitation();
@@ -112,7 +112,7 @@ impl Sheet<'_> {
         title.into_iter().chain(others.map(|text| (text, FONT))).flat_map(wrap).collect()
     }
 
-    /// Returns the part of the motion that the panels show, in words.
+    /// The part of the motion that the panels show, in words.
     fn shown(&self) -> String {
         let letters = |is_in: &dyn Fn(Panel) -> bool| {
             let of: Vec<Panel> = self.panels.iter().copied().filter(|panel| is_in(*panel)).collect();

@@ -5,20 +5,20 @@ use plotters::style::RGBColor;
 
 use crate::picture::{BLUE, GREEN, GREY, SCALE, VERMILION};
 
-/// Heights of letters.
+/// Font size.
 pub const FONT: i32 = 17 * SCALE;
 
 /// The colours of a trace.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// True if the trace is certified: a non-rigorous one has its own colour.
+    /// True if the trace is certified: a non-rigorous trace has its own colour.
     pub is_certified: bool,
-    /// The first N impacts are the transient, which is grey.
+    /// Number of impacts of the transient, which is grey.
     pub transient: usize,
 }
 
 impl Style {
-    /// Returns the colour of curves after N impacts.
+    /// The colour of curves after `impacts` impacts.
     pub fn curve(self, impacts: usize) -> RGBColor {
         match (impacts < self.transient, self.is_certified) {
             (true, _) => GREY,
@@ -27,7 +27,7 @@ impl Style {
         }
     }
 
-    /// Returns the colour of the impact on a wall that N others precede.
+    /// The colour of the impact on a wall after `impacts` other impacts.
     pub fn impact(self, wall: Wall, impacts: usize) -> RGBColor {
         match (self.curve(impacts), wall) {
             (BLUE, Wall::Right) => GREEN,

@@ -1,4 +1,4 @@
-//! Marks of events, hatching, and what the legend says of them.
+//! Marks of events, hatching, and their entries in the legend.
 
 use impact_pair::pair::Wall;
 use plotters::prelude::*;
@@ -14,7 +14,7 @@ const HATCH_SPACING: i32 = 12 * SCALE;
 /// The height of a line of the legend.
 pub const LINE_HEIGHT: i32 = 26 * SCALE;
 
-/// Returns the symbol of a graze, a rest or a release.
+/// Draws the symbol of a graze, a rest or a release.
 pub fn symbol(root: &Canvas<'_>, kind: Kind, (x, y): (i32, i32)) -> Drawn {
     let half = 5 * SCALE;
     let corners = match kind {
@@ -29,13 +29,13 @@ pub fn symbol(root: &Canvas<'_>, kind: Kind, (x, y): (i32, i32)) -> Drawn {
     Ok(())
 }
 
-/// Returns the symbol of the last proved state.
+/// Draws the symbol of the last proved state.
 pub fn open(root: &Canvas<'_>, place: (i32, i32)) -> Drawn {
     root.draw(&Cross::new(place, 6 * SCALE, VERMILION.stroke_width(2 * SCALE as u32)))?;
     Ok(())
 }
 
-/// Hatches a rectangle: nothing is proved there.
+/// Hatches a rectangle in which nothing is proved.
 pub fn hatch(root: &Canvas<'_>, (left, top): (i32, i32), (right, bottom): (i32, i32)) -> Drawn {
     let line = VERMILION.mix(0.6).stroke_width(SCALE as u32);
     // Lines x + y = c.
@@ -118,7 +118,7 @@ impl Entry {
     }
 }
 
-/// Returns what these panels of a trace need to have said, boxes if there are any wide enough.
+/// The entries that these panels of a trace need in the legend; boxes only if any are wide enough.
 pub fn entries(trace: &Trace, panels: &[Panel], style: Style, has_boxes: bool) -> Vec<Entry> {
     let mut entries = Vec::new();
     let has_curves = panels.iter().any(|panel| !panel.is_section());
@@ -140,10 +140,10 @@ pub fn entries(trace: &Trace, panels: &[Panel], style: Style, has_boxes: bool) -
     entries
 }
 
-/// An entry, and where it stands.
+/// An entry and its place.
 type Placed = (Entry, (i32, i32));
 
-/// Returns the places of the entries: lines of this `width`, in pixels from the upper left corner; and how many lines.
+/// The places of the entries in lines of `width`, in pixels from the upper left corner, and the number of lines.
 pub fn lay_out(entries: &[Entry], style: Style, width: i32) -> (Vec<Placed>, i32) {
     let (mut x, mut y) = (0, 0);
     let mut places = Vec::new();
@@ -166,7 +166,7 @@ pub fn draw(entry: Entry, style: Style, root: &Canvas<'_>, (x, y): (i32, i32)) -
     Ok(())
 }
 
-/// Draws the legend of these panels of a trace below `top`, with this margin on both sides; returns its height.
+/// Draws the legend of the panels of a trace below `top`, with `margin` on both sides; returns its height.
 pub fn explain(
     (trace, panels, style): (&Trace, &[Panel], Style),
     (root, top, margin): (&Canvas<'_>, i32, i32),

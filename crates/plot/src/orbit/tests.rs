@@ -44,7 +44,7 @@ fn trace(scene: &Scene, settings: &Settings, cycles: u32) -> (Trace, Vec<(Wall, 
     (recorder.finish(&orbit, settings, count), impacts)
 }
 
-/// N impacts, certified in doubles, which every build has.
+/// Settings for `count` impacts, certified in doubles, which every build has.
 fn impacts(count: u64) -> Settings {
     Settings { impacts: Some(count), arithmetic: Arithmetic::Interval, ..Settings::default() }
 }
@@ -95,7 +95,7 @@ fn commands(data: &str) -> Vec<(char, Vec<f64>)> {
         .collect()
 }
 
-/// Places along a path, N on each segment.
+/// Places along a path, `count` on each segment.
 fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
     let (mut parts, mut at): (Vec<Vec<(f64, f64)>>, _) = (Vec::new(), (0.0, 0.0));
     for (command, numbers) in commands(data) {
@@ -121,7 +121,7 @@ fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
     parts
 }
 
-/// From a place to the line between two others.
+/// Distance of a place from the line segment between two others.
 fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f64 {
     let (u, v) = (x1 - x0, y1 - y0);
     let length = u * u + v * v;

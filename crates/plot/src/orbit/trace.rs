@@ -19,7 +19,7 @@ impl Span {
         Self { low: f(self.low), middle: f(self.middle), high: f(self.high) }
     }
 
-    /// Mirrored at 0.
+    /// The span mirrored at 0.
     pub fn negated(self) -> Self {
         Self { low: -self.high, middle: -self.middle, high: -self.low }
     }
@@ -43,12 +43,12 @@ pub struct Point {
     pub velocity: Span,
     /// `x` and `x'`
     pub absolute: (Span, Span),
-    /// About `y''` and `x''`: how curves bend between the points.
+    /// Approximate `y''` and `x''`, which bend the curves between the points.
     pub accelerations: (f64, f64),
 }
 
 impl Point {
-    /// Returns a state N forcing periods after the start, with the walls at most so far from the middle.
+    /// The state `at` forcing periods after the start; the walls are at most `wall` from the middle.
     pub fn new(at: f64, point: &CoursePoint, wall: f64) -> Self {
         Self {
             at,
@@ -67,9 +67,9 @@ impl Point {
 pub enum Part {
     /// Between two events.
     Flight,
-    /// The velocity before and after an impact.
+    /// Jump of the velocity at an impact.
     Jump,
-    /// While an impact may have come or not: the flights before and after it. Enclosures without a line.
+    /// The flights before and after an uncertain impact, while it may have happened or not. Enclosures without a line.
     Either,
     /// Infinitely many bounces, each smaller than the requested digits.
     Chatter,
@@ -77,16 +77,16 @@ pub enum Part {
     Rest,
 }
 
-/// A part of the motion in points.
+/// A part of the motion, as points.
 #[derive(Clone, Debug)]
 pub struct Stroke {
     pub part: Part,
-    /// Impacts before it.
+    /// Number of impacts before the stroke.
     pub impacts: usize,
     pub points: Vec<Point>,
 }
 
-/// An event that is no impact.
+/// An event other than an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     Graze,
@@ -94,7 +94,7 @@ pub enum Kind {
     Release,
 }
 
-/// An event that is no impact, and its place.
+/// An event other than an impact, and its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark {
     pub kind: Kind,
@@ -125,7 +125,7 @@ impl Crossing {
     }
 }
 
-/// All that is drawn of an orbit.
+/// The content of a figure of an orbit.
 #[derive(Clone, Debug)]
 pub struct Trace {
     /// Flights, jumps and rests.
@@ -140,8 +140,8 @@ pub struct Trace {
     pub start: f64,
     /// `2 pi/W` \[time\]
     pub period: f64,
-    /// Forcing periods since the start up to where the motion is known, or requested.
+    /// Forcing periods from the start to the end of the known, or requested, motion.
     pub known: f64,
-    /// Nothing is proved from there on.
+    /// True if nothing is proved after `known`.
     pub is_open: bool,
 }

@@ -1,10 +1,10 @@
-//! The part of a forcing period that a picture shows: phases that all lie in a part of it need not leave the rest blank.
+//! The part of a forcing period that a picture shows: phases in a small part of it leave the rest out.
 
 use std::f64::consts::TAU;
 
 use super::Axis;
 
-/// Phases of N eighths of a forcing period are distinguished where it is looked at which are there.
+/// Parts of a forcing period: phases are sorted into eighths to find the part that a picture shows.
 const PARTS_PER_PERIOD: usize = 8;
 
 /// An arc of whole eighths of a forcing period.
@@ -15,8 +15,8 @@ pub struct Arc {
 }
 
 impl Arc {
-    /// Returns the least one that holds these phases, from one to another, in forcing periods: half a forcing period at least, and all of it where
-    /// less than a quarter would be left out.
+    /// The least arc that holds these ranges of phases, in forcing periods: at least half a forcing period, and a whole forcing period
+    /// if less than a quarter would be left out.
     pub fn holding(phases: impl Iterator<Item = [f64; 2]>) -> Self {
         let mut is_met = [false; PARTS_PER_PERIOD];
         for [low, high] in phases {
@@ -36,12 +36,12 @@ impl Arc {
         Self { from, to: from + length }
     }
 
-    /// Returns its axis, in radians.
+    /// The axis of the arc, in radians.
     pub fn axis(self) -> Axis {
         Axis::eighths(self.from, self.to)
     }
 
-    /// Returns where a phase in forcing periods is on that axis.
+    /// The place of a phase, in forcing periods, on the axis of the arc.
     pub fn place(self, phase: f64) -> f64 {
         let from = f64::from(self.from) / 8.0;
         TAU * ((phase - from).rem_euclid(1.0) + from)

@@ -1,4 +1,4 @@
-//! Linear axes with round ticks, and those of angles.
+//! Linear axes with round ticks, and axes of angles.
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::ops::Range;
@@ -7,16 +7,16 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 
 /// Free room beyond the data, as a fraction of their range.
 const MARGIN: f64 = 0.05;
-/// Ticks on an axis, about.
+/// Approximate number of ticks on an axis.
 const TARGET_TICKS: f64 = 6.0;
 /// Tolerance for numbers of steps in doubles: 0.9 - 0.3 is more than 0.6.
 const TOLERANCE: f64 = 1e-9;
 
-/// Doubles that are to be on an axis, at least: more than there are pixels along any.
+/// Least number of doubles on an axis: more than there are pixels along any axis.
 const LEAST_DOUBLES: f64 = 4096.0;
 /// The shortest axis around 0: steps are quotients of normal doubles.
 const SHORTEST: f64 = LEAST_DOUBLES * f64::MIN_POSITIVE;
-/// Labels of more characters have a power of ten where they are shorter with it.
+/// Labels of more characters are written with a power of ten where that is shorter.
 const LONGEST_LABEL: usize = 12;
 
 /// A linear axis.
@@ -28,7 +28,7 @@ pub struct Axis {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Labels {
-    /// Multiples of a step, with N decimals.
+    /// Multiples of a step, with a number of decimals.
     Step(f64, usize),
     /// Multiples of this number of eighths of `2 pi`.
     Angle(i32),
@@ -37,7 +37,7 @@ enum Labels {
 }
 
 impl Axis {
-    /// Returns the axis from `low` to `high`; if these are one number, with some room around it.
+    /// The axis from `low` to `high`; with some room around the number if both are equal.
     pub fn over(low: f64, high: f64) -> Self {
         let room = if high > low { 0.0 } else { low.abs().max(1.0) };
         let range = low - room..high + room;
@@ -45,19 +45,19 @@ impl Axis {
         Self { range, labels: Labels::Step(step, decimals) }
     }
 
-    /// Holds all these, and has free room beyond them; at least a tenth of the greatest of them long, lest the tail of
+    /// The axis that holds all values, with free room beyond them. Its length is at least a tenth of the greatest value, lest the tail of
     /// a spiral look like a motion.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         Self::holding(values, 0.1)
     }
 
-    /// Returns the same, however near to each other they are.
+    /// The axis that holds all values, with free room beyond them, however close the values are.
     pub fn close_around(values: impl Iterator<Item = f64>) -> Self {
         Self::holding(values, 0.0)
     }
 
     fn holding(values: impl Iterator<Item = f64>, least: f64) -> Self {
-        // Next to 0 no axis is resolved, beyond the finite doubles is no room for anything.
+        // Near 0 no axis is resolved; beyond the finite doubles there is no room.
         let values = values.filter(|x| x.is_finite()).map(|x| if x.abs() < SHORTEST { 0.0 } else { x });
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
         if low > high {
@@ -68,15 +68,15 @@ impl Axis {
         Self::over(low - room, high + room)
     }
 
-    /// The axis from `low` to `high`, also where doubles do not tell one from the other.
+    /// The axis from `low` to `high`, even if the two are equal doubles.
     pub fn between(low: f64, high: f64) -> Self {
         Self { range: low..high, ..Self::over(low, high) }
     }
 
-    /// Refuses an axis that doubles do not resolve: numbers beyond them, or fewer of them than pixels from end to end.
+    /// Refuses an axis that doubles do not resolve: infinite numbers, or fewer doubles than pixels from end to end.
     ///
     /// # Errors
-    /// Returns an error if what is drawn over it would not be seen.
+    /// Returns an error if a drawing over the axis would not be visible.
     pub fn require_resolved(&self) -> Result<(), String> {
         let Range { start, end } = self.range;
         let largest = start.abs().max(end.abs());
@@ -88,7 +88,7 @@ impl Axis {
         Err(format!("the picture has an axis from {start:e} to {end:e}, but {accepted}"))
     }
 
-    /// Rows of these names, from the lowest at 0 on.
+    /// Rows with these names, the lowest at 0.
     pub fn named(names: &'static [&'static str]) -> Self {
         Self { range: -0.5..names.len() as f64 - 0.5, labels: Labels::Names(names) }
     }
@@ -104,18 +104,18 @@ impl Axis {
         Self { range: f64::from(from) * FRAC_PI_4..f64::from(to) * FRAC_PI_4, labels: Labels::Angle(step) }
     }
 
-    /// Returns where a value is on it: 0 at its beginning, 1 at its end.
+    /// The position of a value on the axis: 0 at the beginning, 1 at the end.
     pub fn part(&self, value: f64) -> f64 {
         (value - self.range.start) / (self.range.end - self.range.start)
     }
 
-    /// Returns the same, with this much room at both ends.
+    /// Angles in `[0, 2 pi]`, with `room` at both ends.
     pub fn turn(room: f64) -> Self {
         Self { range: -room..TAU + room, labels: Labels::Angle(2) }
     }
 }
 
-/// The least of 1, 2, 5, 10, ... times a power of ten that is not less, and its decimals.
+/// The least of 1, 2, 5, 10, ... times a power of ten that is at least `least`, and its decimals.
 fn step(least: f64) -> (f64, usize) {
     let exponent = least.log10().floor() as i32;
     let decade = 10f64.powi(exponent);
@@ -128,7 +128,7 @@ fn step(least: f64) -> (f64, usize) {
     (times * decade, exponent.min(0).unsigned_abs() as usize)
 }
 
-/// Returns an angle in words, from its number of eighths of `2 pi`.
+/// An angle in words, from its number of eighths of `2 pi`.
 fn angle(eighths: i32) -> String {
     let sign = if eighths < 0 { "−" } else { "" };
     let (times, parts) = match eighths.abs() {
@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn r35_the_ends_of_a_range_have_ticks() {
         assert_eq!(labels(&Axis::over(0.3, 0.9)), ["0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9"]);
-        // Of all ranges of tenths whose ends are whole numbers of steps both have one.
+        // In every range of tenths whose ends are whole numbers of steps, both ends have a label.
         for (low, high) in (-12..12).flat_map(|low| (low + 1..=low + 6).map(move |high| (low, high))) {
             let axis = Axis::over(f64::from(low) * 0.1, f64::from(high) * 0.1);
             let ticks = axis.key_points(10);

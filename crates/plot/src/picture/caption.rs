@@ -1,4 +1,4 @@
-//! The header of a picture: its title, and lines that say what it shows.
+//! The header of a picture: its title, and lines that describe its content.
 
 use impact_pair::json::PROGRAM;
 use plotters::prelude::*;
@@ -6,7 +6,7 @@ use plotters::style::text_anchor::HPos;
 
 use super::{Canvas, LETTER_WIDTH, Look, SCALE, letters, words};
 
-/// The height of letters.
+/// Font size.
 pub const FONT: i32 = 15 * SCALE;
 const TITLE_HEIGHT: i32 = FONT + 3 * SCALE;
 /// Distance of the text from the left edge, and from the upper edge.
@@ -14,8 +14,8 @@ const MARGIN: i32 = 16 * SCALE;
 const TOP_MARGIN: i32 = 7 * SCALE;
 const LINE_HEIGHT: i32 = 22 * SCALE;
 
-/// Draws a title and lines below it, in as many lines as there is room for, unless the picture has no header; the height that
-/// they take.
+/// Draws a title and lines below it, wrapped to the width of the picture, unless the picture has no header; returns their
+/// height.
 ///
 /// # Errors
 /// Returns an error if the text cannot be drawn.
@@ -41,12 +41,12 @@ pub fn caption(
     Ok(top)
 }
 
-/// Returns the program's name and version, which stay in one line.
+/// The program's name and version, joined by a space that does not break.
 pub fn program() -> String {
     PROGRAM.replace(' ', "\u{a0}")
 }
 
-/// Returns the words in lines of at most N letters, as far as a word fits; mathematics goes on in the next line.
+/// Wraps words into lines of at most `most` letters, as far as a word fits; mathematics continues in the next line.
 pub fn wrapped(text: &str, most: f64) -> Vec<String> {
     let width = |text: &str| letters(&text.replace('$', ""));
     let mut lines: Vec<String> = Vec::new();

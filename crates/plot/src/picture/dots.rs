@@ -1,4 +1,4 @@
-//! Thousands of points as a few SVG paths, translucent, so that where many lie is darker.
+//! Thousands of points as a few SVG paths, translucent, so that density shows as darkness.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,29 +10,29 @@ use super::{Element, SCALE, hex};
 /// Points of one colour, in pixels of the canvas.
 #[derive(Clone, Debug)]
 pub struct Dots {
-    /// Their colour.
+    /// Colour of the points.
     pub colour: RGBColor,
-    /// Their places on the canvas \[pixels\].
+    /// Places of the points on the canvas \[pixels\].
     pub places: Vec<(i32, i32)>,
 }
 
-/// Diameter of a dot where dots are many and where they are few.
+/// Diameter of a dot where dots are many and where dots are few.
 const DOT_DIAMETER: i32 = 2 * SCALE;
 const LARGE_DOT_DIAMETER: i32 = 9 * SCALE / 2;
 const LARGE_DOTS_UP_TO: usize = 100;
-/// Dots are dealt to N paths, each of this opacity: within a path they cover each other unseen.
+/// Number of paths among which dots are dealt, and the opacity of a path: dots within a path do not darken each other.
 const LAYERS: usize = 6;
 const OPACITY: f64 = 0.55;
-/// Number of dots from which on their places are rounded to half a pixel as it is shown, lest the file be too large.
+/// Number of dots from which on places are rounded to half a pixel of the picture, lest the file be too large.
 const ROUNDED_FROM: usize = 20_000;
 
 impl Dots {
-    /// Returns whether there are enough different places to show density.
+    /// Whether there are enough different places to show density.
     fn are_many(&self) -> bool {
         self.places.iter().collect::<BTreeSet<_>>().len() > LARGE_DOTS_UP_TO
     }
 
-    /// Returns the dots as an element.
+    /// The dots as an element.
     pub fn element(&self) -> Element {
         let many = self.are_many();
         let (layers, width, opacity) =
@@ -55,7 +55,7 @@ impl Dots {
     }
 }
 
-/// The data of a path of dots: lines of no length, each measured from the one before.
+/// The data of a path of dots: lines of length zero, each relative to the dot before.
 fn data(places: BTreeSet<(i32, i32)>) -> String {
     let (mut data, mut at) = (String::new(), (0, 0));
     for (x, y) in places {
@@ -86,7 +86,7 @@ mod tests {
         let Element(svg) =
             Dots { colour: RGBColor(0, 0, 0), places: spread.zip(heap).flat_map(|(a, b)| [a, b]).collect() }.element();
         assert_eq!(svg.matches("<path").count(), LAYERS);
-        // In all layers that the heap is dealt to.
+        // In all layers to which the coinciding dots are dealt.
         let paths = svg.split("<path").skip(1);
         assert_eq!(paths.filter(|path| path.contains("m5 5h0") || path.contains("m5 5")).count(), LAYERS / 2);
     }

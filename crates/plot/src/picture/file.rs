@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::Look;
 
-/// The endings of names that this build writes, as they are said.
+/// The accepted endings of names in this build, in words.
 const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
     (true, true) => "accepted is a name that ends in .svg, .png or .pdf",
     (true, false) => "accepted is a name that ends in .svg or .png, or in .pdf in a build with --features pdf",
@@ -17,7 +17,7 @@ const ENDINGS: &str = match (cfg!(feature = "png"), cfg!(feature = "pdf")) {
 /// Reads the name of a picture.
 ///
 /// # Errors
-/// Returns an error if its ending stands for no format that this build writes.
+/// Returns an error if the ending is not a format that this build writes.
 pub fn path(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
     match ending(&path).as_str() {
@@ -48,7 +48,7 @@ pub fn encoded(svg: &str, look: &Look, path: &Path) -> Result<Vec<u8>> {
     }
 }
 
-/// The SVG with its words in the fonts that this program carries, or in those of the requested family of the system.
+/// The SVG with its text in the fonts that this program carries, or in the requested font family of the system.
 #[cfg(any(feature = "png", feature = "pdf"))]
 fn tree(svg: &str, look: &Look) -> Result<usvg::Tree> {
     let mut options = usvg::Options::default();
@@ -64,7 +64,7 @@ fn tree(svg: &str, look: &Look) -> Result<usvg::Tree> {
     Ok(usvg::Tree::from_str(svg, &options)?)
 }
 
-/// Pixels of a PNG for each one of the picture as it is shown.
+/// Pixels of a PNG for each pixel of the picture.
 #[cfg(feature = "png")]
 const PIXELS: f32 = 2.0;
 
@@ -81,7 +81,7 @@ fn png(svg: &str, look: &Look) -> Result<Vec<u8>> {
     Ok(pixels.encode_png()?)
 }
 
-/// The SVG on a page of its size, its letters as letters of fonts that the file holds.
+/// The SVG on a page of its size; its text is text in fonts that the file holds.
 #[cfg(feature = "pdf")]
 fn pdf(svg: &str, look: &Look) -> Result<Vec<u8>> {
     use anyhow::anyhow;

@@ -1,6 +1,6 @@
-//! Convex hulls: what two boxes that follow each other sweep.
+//! Convex hulls: the area swept between two successive boxes.
 
-/// Returns the corners of the convex hull of these points, in order around it (Andrew's monotone chain).
+/// The corners of the convex hull of the points, in order around it (Andrew's monotone chain).
 pub fn hull(mut points: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
     points.sort_unstable();
     points.dedup();

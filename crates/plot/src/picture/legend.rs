@@ -1,11 +1,11 @@
-//! The lines that say what the marks of a picture mean.
+//! The lines that explain the marks of a picture.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use super::{Canvas, FONT, LETTER_WIDTH, SCALE, letters, words};
 
-/// A line of a legend.
+/// Height of a line of a legend.
 const LINE_HEIGHT: i32 = 22 * SCALE;
 
 /// The symbol of an entry of a legend.
@@ -23,10 +23,10 @@ pub enum Mark {
     Outline(RGBColor),
 }
 
-/// Half of what a mark takes.
+/// Half the width of a mark.
 const HALF_MARK: i32 = 5 * SCALE;
 
-/// Draws the entries of a legend below `top`, in as many lines as they need; the height that they take.
+/// Draws the entries of a legend below `top`, in as many lines as needed; returns its height.
 ///
 /// # Errors
 /// Returns an error if the legend cannot be drawn.

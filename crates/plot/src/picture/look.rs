@@ -4,9 +4,9 @@ use std::str::FromStr;
 
 use super::Theme;
 
-/// The family of letters that pictures are drawn with.
+/// The font family of pictures.
 const FONT_FAMILY: &str = "font-family=\"sans-serif\"";
-/// The smallest size that has room for axes, and the largest one \[pixels\].
+/// The smallest size that has room for axes, and the largest side \[pixels\].
 const MIN_SIZE: (u32, u32) = (400, 300);
 const MAX_SIZE: u32 = 10_000;
 
@@ -59,7 +59,7 @@ impl FromStr for Size {
     }
 }
 
-/// Reads the name of a family of letters.
+/// Reads the name of a font family.
 #[cfg(feature = "clap")]
 fn family(text: &str) -> Result<String, String> {
     let is_name = !text.trim().is_empty() && text.chars().all(|c| c.is_alphanumeric() || " -_".contains(c));
@@ -67,12 +67,12 @@ fn family(text: &str) -> Result<String, String> {
 }
 
 impl Look {
-    /// Returns the requested size, or else `own`, the picture's usual size \[pixels\].
+    /// The requested size, or else `own`, the picture's usual size \[pixels\].
     pub fn size(&self, own: (u32, u32)) -> (u32, u32) {
         self.size.map_or(own, |size| (size.width, size.height))
     }
 
-    /// Returns a picture that was drawn in the usual colours and letters.
+    /// Applies the requested colours and font to a picture drawn in the usual ones.
     pub fn of(&self, svg: &str) -> String {
         let svg = self.theme.of(svg);
         match &self.font {

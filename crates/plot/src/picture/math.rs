@@ -1,8 +1,8 @@
-//! Mathematics in words: what stands between two dollars is set as mathematics, `_` and `^` lower and raise.
+//! Mathematics in text: the part between two dollars is set as mathematics, `_` and `^` begin subscripts and superscripts.
 
 use std::fmt::Write;
 
-/// A subscript's or superscript's size, and how far it is moved, in sizes of its line.
+/// Size of a subscript or superscript, and its shift, relative to the size of the line.
 const SCRIPT_SIZE: f64 = 0.72;
 const SUBSCRIPT_SHIFT: f64 = 0.25;
 const SUPERSCRIPT_SHIFT: f64 = -0.38;
@@ -24,7 +24,7 @@ impl Level {
     }
 }
 
-/// Letters of one look.
+/// Letters of one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Run {
     text: String,
@@ -32,7 +32,7 @@ struct Run {
     level: Level,
 }
 
-/// The parts of a text, those in dollars distinguished; of an odd number of dollars the last one is a dollar.
+/// The parts of a text, with those between dollars marked; the last of an odd number of dollars is a plain character.
 fn parts(text: &str) -> Vec<(String, bool)> {
     let mut parts: Vec<(String, bool)> =
         text.split('$').enumerate().map(|(i, part)| (part.to_owned(), i % 2 == 1)).collect();
@@ -45,7 +45,7 @@ fn parts(text: &str) -> Vec<(String, bool)> {
     parts
 }
 
-/// The looks of what stands in dollars: single letters are quantities, longer words are not.
+/// The styles of mathematics: single letters are quantities in italics, longer words are upright.
 fn runs(text: &str, level: Level) -> Vec<Run> {
     let letters: Vec<char> = text.chars().collect();
     let mut runs: Vec<Run> = Vec::new();
@@ -100,7 +100,7 @@ fn all_runs(text: &str) -> Vec<Run> {
     joined
 }
 
-/// Returns the text as the inside of an SVG text of this `size`.
+/// The text as the content of an SVG text element of this `size`.
 pub fn typeset(text: &str, size: f64) -> String {
     let mut svg = String::new();
     let mut level = Level::Line;
@@ -127,13 +127,13 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// About how wide a text is, in letters.
+/// Approximate width of a text, in letters.
 pub fn letters(text: &str) -> f64 {
     let width = |run: &Run| run.text.chars().count() as f64 * if run.level == Level::Line { 1.0 } else { SCRIPT_SIZE };
     all_runs(text).iter().map(width).sum()
 }
 
-/// Returns about how wide a text of several runs is in letters of this `size`, or `None` for one of a single run.
+/// Approximate width of a text of several runs in letters of this `size`; `None` for a text of a single run.
 pub fn runs_width(text: &str, size: f64) -> Option<f64> {
     let runs = all_runs(text);
     let width = |run: &Run| {
@@ -143,7 +143,7 @@ pub fn runs_width(text: &str, size: f64) -> Option<f64> {
     (runs.len() > 1).then(|| size * runs.iter().map(width).sum::<f64>())
 }
 
-/// Returns the width of a letter, in sizes of its font: between Arial and DejaVu Sans, rounded to classes of letters.
+/// The width of a letter relative to its font size: between Arial and DejaVu Sans, rounded to classes of letters.
 fn advance(letter: char) -> f64 {
     match letter {
         'i' | 'j' | 'l' | '\'' | '′' => 0.25,
@@ -156,19 +156,19 @@ fn advance(letter: char) -> f64 {
     }
 }
 
-/// Returns the words of a scene as they are set in print.
+/// The words of a scene in typeset notation.
 pub fn greek(words: &str) -> String {
     let names = [("tau", "τ"), ("2 pi", "2π"), ("pi", "π"), ("A W", "AΩ"), ("W", "Ω"), ("-", "−"), ("'", "′")];
     let words = powers(&roots(words));
     format!("${}$", names.iter().fold(words, |words, (ascii, greek)| words.replace(ascii, greek)).replace('*', ""))
 }
 
-/// Returns what the program says, with numbers and the paper's names of mappings as they are set in print.
+/// The program's text with numbers and the paper's names of mappings in typeset notation.
 pub fn typeset_text(words: &str) -> String {
     (1..=4).fold(each_power(words, "$"), |words, k| words.replace(&format!("P{k}"), &format!("$P_{k}$")))
 }
 
-/// Roots of numbers without brackets, and with room after them.
+/// Roots of numbers without brackets, followed by a space.
 fn roots(words: &str) -> String {
     let mut parts = words.split("sqrt(");
     let mut text = parts.next().unwrap_or_default().to_owned();
@@ -184,12 +184,12 @@ fn roots(words: &str) -> String {
     text
 }
 
-/// Powers of ten as such, in what is mathematics.
+/// Powers of ten in mathematics.
 fn powers(words: &str) -> String {
     each_power(words, "")
 }
 
-/// Writes powers of ten as such, with `around` around each number.
+/// Replaces powers of ten by superscripts, with `around` on both sides of each number.
 fn each_power(words: &str, around: &str) -> String {
     let is_number = |text: &str| text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
     let word = |word: &str| {

@@ -34,12 +34,12 @@ pub use plane::Plane;
 pub use svg::{Element, Svg};
 pub use theme::Theme;
 
-/// Pixels of the canvas for each pixel as it is shown: the backend rounds to whole pixels.
+/// Pixels of the canvas for each pixel of the picture: the backend rounds to whole pixels.
 pub const SCALE: i32 = 4;
-/// Average width of a letter, in sizes of its font; the reader's fonts are unknown.
+/// Average width of a letter, relative to the font size; the reader's fonts are unknown.
 pub const LETTER_WIDTH: f64 = 0.44;
 
-// Of the colours that Okabe and Ito (2008) chose for all eyes, and grey; lines, shapes and words say the same again.
+// Colours that Okabe and Ito (2008) chose for colour-blind readers, and grey; lines, shapes and words repeat the information.
 /// Blue.
 pub const BLUE: RGBColor = RGBColor(0x00, 0x72, 0xb2);
 /// Vermilion.
@@ -62,7 +62,7 @@ pub type Canvas<'a> = DrawingArea<Svg<'a>, plotters::coord::Shift>;
 /// The result of drawing.
 pub type Drawn = Result<(), Box<dyn StdError>>;
 
-/// Returns the SVG text of what `draw` draws on a white canvas that is shown in this `size` and has `scale` pixels for one.
+/// The SVG text of a drawing by `draw` on a white canvas of `scale` pixels for each pixel of the picture; `size` is the picture's size.
 ///
 /// # Errors
 /// Returns the errors of `draw`.
@@ -76,12 +76,12 @@ pub fn svg(size: (u32, u32), scale: i32, draw: impl FnOnce(&Canvas<'_>) -> Drawn
     Ok(text)
 }
 
-/// Returns a colour as SVG writes it.
+/// A colour in SVG's notation.
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// Words of this size, up to this side of their place and centred on its height.
+/// Text style: font size, colour, horizontal alignment, and vertical centre at the text's place.
 pub fn words<'a>(size: i32, colour: &'a RGBColor, side: HPos) -> TextStyle<'a> {
     TextStyle::from(("sans-serif", size).into_font()).color(colour).pos(Pos::new(side, VPos::Center))
 }

@@ -6,15 +6,15 @@ use std::fmt::Write;
 pub type Place = (f64, f64);
 /// Units of a path for each pixel of the canvas.
 const UNITS_PER_PIXEL: f64 = 10.0;
-/// Maximum distance of a control point from the chord for a curve drawn as a straight line: a twentieth of a pixel as it is shown.
+/// Greatest distance of a control point from the chord for a curve drawn as a straight line: 1/20 of a pixel of the picture.
 const STRAIGHTNESS: f64 = 0.2;
 
-/// Two cubic Bézier control points and the end of what begins at `from`: the cubic that has these places and, over its
-/// whole length, these rates at its ends (Hermite).
+/// Two cubic Bézier control points and the end of a segment that begins at `from`: the cubic with these places and, per length of the
+/// segment, these rates at its ends (Hermite).
 ///
-/// A motion `f` over a time `h` stays within `h^4/384 max |f''''|` of it. The motion has `f'''' = A W^4 sin` (11), so
-/// over a twenty-fourth of a forcing period its displacement is missed by less than `A/80,000`, its velocity by less than
-/// `A W/80,000`; with several harmonics by less than the same of their sum, since W is the greatest.
+/// A motion `f` over a time `h` differs from the cubic by at most `h^4/384 max |f''''|`. The motion has `f'''' = A W^4 sin` (11), so
+/// over 1/24 of a forcing period the error of the displacement is less than `A/80,000`, of the velocity less than
+/// `A W/80,000`; with several harmonics less than the sum of these bounds, since W is the greatest frequency.
 pub fn hermite((from, start): (Place, Place), (to, end): (Place, Place)) -> [Place; 3] {
     let along = |place: Place, rate: Place, part: f64| (rate.0.mul_add(part, place.0), rate.1.mul_add(part, place.1));
     [along(from, start, 1.0 / 3.0), along(to, end, -1.0 / 3.0), to]
@@ -24,7 +24,7 @@ pub fn hermite((from, start): (Place, Place), (to, end): (Place, Place)) -> [Pla
 #[derive(Clone, Debug, Default)]
 pub struct Path {
     data: String,
-    /// Its last point, in tenths of a pixel of the canvas: differences of these do not accumulate rounding errors.
+    /// Last point of the path, in tenths of a pixel of the canvas: differences of these integers do not accumulate rounding errors.
     at: (i64, i64),
 }
 
@@ -49,7 +49,7 @@ impl Path {
         }
     }
 
-    /// A Bézier segment, or a line where nobody sees that it is none.
+    /// A Bézier segment, or a straight line where the difference is not visible.
     pub fn curve_to(&mut self, [first, second, end]: [Place; 3]) {
         let from = (self.at.0 as f64 / UNITS_PER_PIXEL, self.at.1 as f64 / UNITS_PER_PIXEL);
         let is_straight = [first, second].iter().all(|control| off_chord(*control, from, end) < STRAIGHTNESS);
@@ -83,19 +83,19 @@ impl Path {
         }
     }
 
-    /// Returns the data, as the attribute `d` of a path has them.
+    /// The data of the attribute `d` of an SVG path.
     pub fn data(&self) -> &str {
         &self.data
     }
 }
 
-/// Returns the distance of a place from the chord between two others.
+/// The distance of a place from the chord between two others.
 fn off_chord((x, y): Place, (x0, y0): Place, (x1, y1): Place) -> f64 {
     let (u, v) = (x1 - x0, y1 - y0);
     let length = u * u + v * v;
     let along = if length > 0.0 { (((x - x0) * u + (y - y0) * v) / length).clamp(0.0, 1.0) } else { 0.0 };
     let (x, y) = (x - x0 - along * u, y - y0 - along * v);
-    // No hypot: what that rounds to depends on the machine.
+    // No hypot: its rounding depends on the machine.
     (x * x + y * y).sqrt()
 }
 

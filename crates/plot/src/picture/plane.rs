@@ -1,4 +1,4 @@
-//! From the numbers on two axes to the pixels of a plot.
+//! Conversion from numbers on two axes to pixels of a plot.
 
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
@@ -8,14 +8,14 @@ use super::{Axis, Canvas, FONT, Place, SCALE};
 /// The pixels of a plot.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    /// Its axes, across and up.
+    /// The axes, across and up.
     pub axes: [Axis; 2],
     /// Left to right, bottom to top.
     pub pixels: [(i32, i32); 2],
 }
 
 impl Plane {
-    /// Draws axes with these names and a thin mesh into an area, with this much room on their right.
+    /// Draws axes with the names `names` and a thin mesh into an area, with room `right` on their right.
     ///
     /// # Errors
     /// Returns an error if the axes cannot be drawn.
@@ -49,7 +49,7 @@ impl Plane {
         Ok(Self { axes, pixels: [(across.start, across.end - 1), (down.end - 1, down.start)] })
     }
 
-    /// Returns the pixel at which it is, or the one on the edge that is next to it.
+    /// The pixel of a place, moved to the nearest edge if the place is outside.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> (i32, i32) {
         let clamped = |axis: usize, value: f64| {
             let (from, to) = self.pixels[axis];
@@ -58,7 +58,7 @@ impl Plane {
         (clamped(0, x), clamped(1, y))
     }
 
-    /// Returns where it is, in parts of pixels, and maybe outside.
+    /// The place in fractional pixels, which may lie outside.
     pub fn place(&self, place: [f64; 2]) -> Place {
         let at = |axis: usize| {
             let (from, to) = self.pixels[axis];
@@ -67,13 +67,13 @@ impl Plane {
         (at(0), at(1))
     }
 
-    /// Returns how far it is from `place` to where these rates lead from it.
+    /// The displacement in fractional pixels from `place` to `place + rate`.
     pub fn pixel_displacement(&self, place: [f64; 2], rate: [f64; 2]) -> Place {
         let (a, b) = (self.place(place), self.place([place[0] + rate[0], place[1] + rate[1]]));
         (b.0 - a.0, b.1 - a.1)
     }
 
-    /// Elements of which nothing is seen beyond the plot; lines on its edge are drawn whole.
+    /// Elements clipped to the plot; lines on its edge are drawn whole.
     pub fn clipped(&self, elements: &str) -> String {
         let ((left, right), (bottom, top)) = (self.pixels[0], self.pixels[1]);
         let edge = 3 * SCALE;

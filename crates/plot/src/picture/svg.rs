@@ -1,4 +1,4 @@
-//! The canvas: what plotters draws, and elements of our own, as SVG.
+//! The canvas: drawings by plotters, and elements of this crate, as SVG.
 
 use std::convert::Infallible;
 use std::fmt::Write;
@@ -12,7 +12,7 @@ use plotters_backend::{
 
 use super::math;
 
-/// Letters are N times smaller than their line.
+/// Ratio of the line height to the font size.
 const LEADING: f64 = 1.24;
 
 /// A canvas that becomes SVG text.
@@ -24,7 +24,7 @@ pub struct Svg<'t> {
 type Done = Result<(), DrawingErrorKind<Infallible>>;
 
 impl<'t> Svg<'t> {
-    /// Returns the backend of a picture that is shown in this size, and has `scale` pixels of the canvas for each pixel shown.
+    /// The backend of a picture of this size in pixels, with `scale` pixels of the canvas for each pixel of the picture.
     pub fn new(text: &'t mut String, (width, height): (u32, u32), scale: u32) -> Self {
         let size = (width * scale, height * scale);
         *text = format!(
@@ -41,14 +41,14 @@ impl<'t> Svg<'t> {
     }
 }
 
-/// A colour and how opaque it is, as attributes; `None` for what cannot be seen.
+/// A colour and its opacity, as attributes; `None` for a transparent colour.
 fn paint(attribute: &str, colour: BackendColor) -> Option<String> {
     let (red, green, blue) = colour.rgb;
     let opacity = if colour.alpha < 1.0 { format!(" {attribute}-opacity=\"{}\"", colour.alpha) } else { String::new() };
     (colour.alpha > 0.0).then(|| format!("{attribute}=\"#{red:02X}{green:02X}{blue:02X}\"{opacity}"))
 }
 
-/// The paint of a shape that is filled, or else outlined.
+/// The paint of a filled, or else outlined, shape.
 fn shape(style: &impl BackendStyle, fill: bool) -> Option<String> {
     if fill {
         return paint("fill", style.color());
@@ -124,7 +124,7 @@ impl DrawingBackend for Svg<'_> {
             (HPos::Center, Some(width)) => ("start", 0.5 * width),
         };
         let left = (f64::from(x) - before).round();
-        // From the baseline down, in sizes of the letters.
+        // From the baseline down, relative to the font size.
         let down: f64 = match style.anchor().v_pos {
             VPos::Top => 0.76,
             VPos::Center => 0.36,

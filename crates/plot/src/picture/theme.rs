@@ -1,4 +1,4 @@
-//! Light and dark: the same drawing with its lightnesses turned round.
+//! Light and dark: the same drawing with its lightnesses reversed.
 
 /// The background of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,12 +11,12 @@ pub enum Theme {
     Dark,
 }
 
-/// The lightness of the dark ground, and of what is black in the light.
+/// Lightness of the dark ground, and of the ink that is black in the light theme.
 const GROUND_LIGHTNESS: f64 = 0.07;
 const INK_LIGHTNESS: f64 = 0.92;
 
 impl Theme {
-    /// Returns a picture that was drawn in the light.
+    /// Converts a picture that was drawn in the light theme.
     pub fn of(self, svg: &str) -> String {
         match self {
             Self::Light => svg.to_owned(),
@@ -25,7 +25,7 @@ impl Theme {
     }
 }
 
-/// The picture with another colour in each attribute that is one: `"#RRGGBB"`, which stands in no text, since quotes do not.
+/// The picture with every colour attribute `"#RRGGBB"` replaced; texts have no unescaped quotes, so none is changed.
 fn darkened(svg: &str) -> String {
     let mut parts = svg.split("\"#");
     let mut dark = parts.next().unwrap_or_default().to_owned();
@@ -43,7 +43,7 @@ fn darkened(svg: &str) -> String {
     dark
 }
 
-/// The colour of the same hue and, as far as there is room, the same chroma, as light as the other was dark.
+/// The colour of the same hue and, where possible, the same chroma, with the lightness reversed.
 fn turned(rgb: [u8; 3]) -> [u8; 3] {
     let parts = rgb.map(|part| f64::from(part) / 255.0);
     let (low, high) = parts.iter().fold((1.0f64, 0.0f64), |(low, high), &part| (low.min(part), high.max(part)));

@@ -10,7 +10,7 @@ use crate::picture::hex;
 pub struct Cells(String);
 
 impl Cells {
-    /// Adds one, from its upper left corner.
+    /// Adds a rectangle, from its upper left corner.
     pub fn add(&mut self, (x, y): (i32, i32), (width, height): (i32, i32)) {
         // Writing to a String cannot fail.
         let _ = write!(self.0, "M{x} {y}h{width}v{height}h-{width}z");

@@ -14,7 +14,7 @@ use impact_pair::scene::Range;
 
 /// The smallest cell: less than a pixel of most screens.
 const MIN_CELL: i32 = 3;
-/// The largest one, where points are few.
+/// The largest cell, for few points.
 const MAX_CELL: i32 = 2 * SCALE;
 /// Width added around the cells of periodic orbits, in pixels of the canvas.
 const EDGE_WIDTH: i32 = 2;
@@ -59,10 +59,10 @@ impl Class {
     }
 }
 
-/// The impacts of points of one class: of each column of cells its rows.
+/// The impacts of points of one class: for each column of cells the rows.
 type Columns = BTreeMap<i32, Vec<i32>>;
 
-/// Draws axes and words, and returns the data as SVG.
+/// Draws axes and text, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     axis: &Range,
@@ -86,7 +86,7 @@ pub fn draw(
     let plane = Plane::draw(&below, [across, up], [&described(axis.key()), name])?;
     let (left, right) = plane.pixels[0];
     let spacing = (right - left) / i32::try_from(axis.points() - 1).unwrap_or(i32::MAX);
-    // Each point has a column of its own, next to its neighbours', or one of those that can be seen.
+    // Each point has its own column beside its neighbours' columns, or shares the narrowest visible column.
     let (grain, width) = if spacing < MIN_CELL { (MIN_CELL, MIN_CELL) } else { (1, (spacing + 1).min(MAX_CELL)) };
     let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
@@ -94,7 +94,7 @@ pub fn draw(
         let class = Class::of(&record);
         let column = plane.column(value(&axis.value(record.point, axis.points() - 1)?));
         for state in &record.states {
-            // A box when it is wide enough to be seen, from its upper bound down.
+            // A box if it is wide enough to be seen, from its upper bound down.
             let bounds = bounds(state, show)?;
             if !plane.shows(bounds) {
                 continue;
@@ -116,7 +116,7 @@ pub fn draw(
     Ok(data + &bars.element(VERMILION))
 }
 
-/// The classes that there are, and the greatest speed.
+/// The classes that occur, and the greatest speed.
 fn survey(sweep: &mut impl Records<Head = SweepHead>) -> Drawn<(Vec<Class>, f64)> {
     let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
     sweep.each_record(|record| {
@@ -131,7 +131,7 @@ fn survey(sweep: &mut impl Records<Head = SweepHead>) -> Drawn<(Vec<Class>, f64)
     Ok((present, greatest))
 }
 
-/// Returns the bounds of the phase or the velocity of an impact, whichever is shown.
+/// The bounds of the phase or the velocity of an impact, whichever is shown.
 fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
     let bounds = match show {
         Show::Phase => &state.phase,
@@ -140,9 +140,9 @@ fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
     Ok([double(&bounds[0])?, double(&bounds[1])?])
 }
 
-/// The cells of a class, those below each other in one.
+/// The cells of a class; adjacent cells of a column are joined.
 fn path(class: Class, columns: Columns, (grain, width): (i32, i32)) -> String {
-    // Lines are made thick enough to be seen, dense clouds are not.
+    // Lines are drawn thick enough to be seen, dense clouds are not.
     let edge = if class == Class::UndecidedLimit && width < MAX_CELL { 0 } else { EDGE_WIDTH };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {

@@ -11,9 +11,9 @@ use super::{double, middle};
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
 use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 
-/// Letters of a word that a legend shows.
+/// Greatest number of letters of a word in a legend.
 const MAX_LETTERS: usize = 10;
-/// The attractors with the most points have colours of their own.
+/// Colours of the attractors with the most points.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
 /// Colour of the other attractors.
 pub const OTHER_COLOUR: RGBColor = GREY;
@@ -28,7 +28,7 @@ pub struct Kind {
 }
 
 impl Kind {
-    /// Returns whether a point has it; attractors of one pair are distinguished by where they are, of several pairs by their words.
+    /// Whether a point has this outcome. Attractors of one pair are distinguished by their first impacts, of several pairs by their words.
     pub fn is_of(&self, record: &SweepRecord, is_one_pair: bool) -> bool {
         let alike = |a: &SweepPeriod, b: &SweepPeriod| {
             let near = match (&a.first, &b.first) {
@@ -71,7 +71,7 @@ impl Kind {
     }
 }
 
-/// Returns whether two pairs of bounds may hold one number, or numbers that are `period` apart; by doubles, as labels are.
+/// Whether two pairs of bounds may hold numbers that are equal or differ by `period`; in doubles, as for labels.
 fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
     let ends = |bounds: &ExtendedBounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
     let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
@@ -80,7 +80,7 @@ fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
     [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
 }
 
-/// Returns a colour for each kind.
+/// A colour for each kind.
 pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));

@@ -1,4 +1,4 @@
-//! The words on a picture of a sweep.
+//! The text on a picture of a sweep.
 
 use impact_pair::json::{SceneDocument, SweepHead, Written};
 use impact_pair::scene::{Key, Term};
@@ -6,7 +6,7 @@ use impact_pair::scene::{Key, Term};
 use super::Drawn;
 use crate::picture::{self, Canvas, Look, greek};
 
-/// Title, parameters, and how it was computed; how high that is.
+/// Draws title, parameters and method; returns their height.
 pub fn caption(head: &SweepHead, (root, look): (&Canvas<'_>, &Look)) -> Drawn<i32> {
     let varied: Vec<String> = varied(head).map(|key| format!("${}$", key.symbol().0)).collect();
     let varied = format!("{} varied", varied.join(" and "));
@@ -28,7 +28,7 @@ pub fn caption(head: &SweepHead, (root, look): (&Canvas<'_>, &Look)) -> Drawn<i3
     picture::caption(root, look, &title, &[parameters(head), shown, made])
 }
 
-/// Returns the parameters that vary.
+/// The parameters that vary.
 fn varied(head: &SweepHead) -> impl Iterator<Item = Key> {
     head.over.iter().filter_map(|over| over.key.parse().ok())
 }
@@ -37,7 +37,7 @@ fn varied(head: &SweepHead) -> impl Iterator<Item = Key> {
 fn parameters(head: &SweepHead) -> String {
     let varies = |keys: &[Key]| varied(head).any(|key| keys.contains(&key));
     let terms = |terms: &[Written], of: fn(Option<Term>) -> Key| {
-        // Of terms that vary the symbol.
+        // Harmonics that vary are given by their symbols.
         let term = |(number, term): (u16, &Written)| {
             let key = of(Term::new(number));
             if varies(&[key]) { key.symbol().0 } else { term.0.text() }

@@ -23,7 +23,7 @@ const RING_RADIUS: i32 = 6 * SCALE;
 /// The outcomes of all points.
 struct Outcomes {
     kinds: Vec<Kind>,
-    /// The kind of each point; none where it is missing.
+    /// The kind of each point; `None` for a missing point.
     points: Vec<Option<usize>>,
 }
 
@@ -47,7 +47,7 @@ impl Outcomes {
     }
 }
 
-/// Draws axes and words, and returns the data as SVG.
+/// Draws axes and text, and returns the data as SVG.
 pub fn draw(
     sweep: &mut impl Records<Head = SweepHead>,
     grid: &Grid,
@@ -80,7 +80,7 @@ pub fn draw(
     Ok(cells(&plane, x.points(), y.points(), colour) + &rings)
 }
 
-/// Returns the first impacts of attractors on the left wall (phase, velocity), as far as known, and their colours.
+/// The known first impacts of attractors on the left wall (phase, velocity), and their colours.
 fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)> {
     let place = |(kind, colour): (&Kind, &RGBColor)| {
         let period = kind.period.as_ref()?;
@@ -91,7 +91,7 @@ fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)>
     kinds.iter().zip(colours).filter_map(place).collect()
 }
 
-/// A ring that is seen on every colour, with that of its basin inside.
+/// A ring visible on every colour, filled with the colour of its basin.
 fn ring((x, y): (i32, i32), colour: RGBColor) -> String {
     let (white, black) = (RING_RADIUS + SCALE, SCALE);
     format!(
@@ -108,7 +108,7 @@ fn scale(axis: &Range) -> Axis {
     if is_turn { Axis::turn(half) } else { Axis::over(low - half, high + half) }
 }
 
-/// A cell for each point; the second key counts faster, and upwards.
+/// A cell for each point; the second key varies faster, and upwards.
 fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<RGBColor>) -> String {
     let [(left, right), (top, bottom)] = plane.pixels;
     let part =
@@ -131,7 +131,7 @@ fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<
         }
     }
     let mut drawn: String = paths.values().map(|(colour, cells)| cells.element(*colour)).collect();
-    // Not by colour alone.
+    // Undecided cells differ not by colour alone.
     let _ = writeln!(drawn, "<path stroke=\"#FFFFFF\" stroke-width=\"{}\" d=\"{strokes}\"/>", SCALE / 2);
     drawn
 }

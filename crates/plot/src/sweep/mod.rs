@@ -1,6 +1,6 @@
 //! Sweeps as SVG: the bifurcation diagram over one key, the map of outcomes over two.
 //!
-//! Axes and words are drawn by plotters; the data, up to a million cells, are one path for each colour.
+//! Axes and text are drawn by plotters; the data, up to a million cells, are one path for each colour.
 
 mod cells;
 mod diagram;
@@ -22,7 +22,7 @@ pub(crate) use self::legend::described;
 use crate::picture::{self, Axis, Canvas, Element, FONT, Look, SCALE};
 use crate::records::Records;
 
-/// The picture as it is shown.
+/// Size of the picture, in pixels.
 const SIZE: (u32, u32) = (960, 680);
 
 type Drawn<T> = Result<T, Box<dyn StdError>>;
@@ -38,7 +38,7 @@ pub enum Show {
     Velocity,
 }
 
-/// Returns the picture as SVG: a diagram over one key, all of it or a range of its vertical axis, a map over two.
+/// The picture as SVG: a diagram over one key, with all or a range of its vertical axis, or a map over two keys.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the sweep cannot be read.
@@ -66,7 +66,7 @@ pub(crate) struct Plane {
 }
 
 impl Plane {
-    /// Draws the axes, with these names, into `area`.
+    /// Draws the axes, with the names `names`, into `area`.
     pub fn draw(area: &Canvas<'_>, axes: [Axis; 2], names: [&str; 2]) -> Drawn<Self> {
         axes.iter().try_for_each(Axis::require_resolved)?;
         let [x, y] = axes.clone();
@@ -95,18 +95,18 @@ impl Plane {
         self.pixels.map(|(from, to)| to - from)
     }
 
-    /// Returns whether a part of the range from `low` to `high` is on the vertical axis.
+    /// Whether a part of the range from `low` to `high` is on the vertical axis.
     fn shows(&self, [low, high]: [f64; 2]) -> bool {
         let range = self.axes[1].range();
         low <= range.end && high >= range.start
     }
 
-    /// Returns the pixel across of `x`.
+    /// The horizontal pixel of `x`.
     pub fn column(&self, x: f64) -> i32 {
         self.axes[0].map(&x, self.pixels[0])
     }
 
-    /// Returns the pixel down of `y`, inside the plot.
+    /// The vertical pixel of `y`, moved inside the plot.
     pub fn row(&self, y: f64) -> i32 {
         let (top, bottom) = self.pixels[1];
         self.axes[1].map(&y, (bottom, top)).clamp(top, bottom)
@@ -119,12 +119,12 @@ fn middle(bounds: &ExtendedBounds) -> Result<f64> {
     Ok(0.5 * (double(low)? + double(high)?))
 }
 
-/// About what a decimal is.
+/// Approximate value of a decimal.
 fn double(text: &str) -> Result<f64> {
     Ok(text.parse()?)
 }
 
-/// About what a number is.
+/// Approximate value of an exact number.
 pub(crate) fn value(x: &Exact) -> f64 {
     x.enclose(64).mid_rad().0
 }

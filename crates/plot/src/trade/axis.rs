@@ -1,17 +1,17 @@
-//! The axes of the plot: digits, few and many with the same care, and times.
+//! The axes of the plot: digits, with comparable space for few and many digits, and times.
 
 use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-/// Digits that the axis names, where it reaches them.
+/// Digits at which the axis has labels, within its range.
 const TICKS: [f64; 18] =
     [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 1e5];
 /// Free room beyond the marks, as a fraction of the axis.
 const MARGIN: f64 = 0.05;
 /// Free room beyond the marks on the axis of times, as a factor.
 const TIME_MARGIN: f64 = 2.0;
-/// The slowest time shown is at least N times the fastest one.
+/// Least ratio of the ends of the axis of times, without its margins.
 const MIN_TIME_RATIO: f64 = 100.0;
 
 /// An axis of digits `n`, on the scale `log(1 + n)`; mirrored below zero.
@@ -19,7 +19,7 @@ const MIN_TIME_RATIO: f64 = 100.0;
 pub struct Digits(Range<f64>);
 
 impl Digits {
-    /// Returns the axis that holds 0, 10 and all of `digits`.
+    /// The axis that holds 0, 10 and all of `digits`.
     pub fn around(digits: impl Iterator<Item = f64>) -> Self {
         let (low, high) = digits.fold((0.0f64, 10.0f64), |(low, high), x| (low.min(x), high.max(x)));
         let margin = MARGIN * (scale(high) - scale(low));
@@ -60,7 +60,7 @@ impl ValueFormatter<f64> for Digits {
     }
 }
 
-/// Returns a logarithmic axis of these times, and free room around them.
+/// A logarithmic axis of these times, with free room around them.
 pub fn times(times: impl Iterator<Item = f64> + Clone) -> Range<f64> {
     let fast = times.clone().reduce(f64::min).unwrap_or(0.1);
     let slow = times.reduce(f64::max).unwrap_or(10.0);

@@ -10,7 +10,7 @@ pub struct Area {
 }
 
 impl Area {
-    /// Returns the square around a marker.
+    /// The square around a marker.
     pub fn around((x, y): (f64, f64), half: f64) -> Self {
         Self { left: x - half, top: y - half, right: x + half, bottom: y + half }
     }
@@ -23,7 +23,7 @@ impl Area {
         self.left <= other.left && other.right <= self.right && self.top <= other.top && other.bottom <= self.bottom
     }
 
-    /// Returns the point of the rectangle nearest to `point`.
+    /// The point of the rectangle nearest to `point`.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
@@ -33,7 +33,7 @@ impl Area {
         (near.0 - x).hypot(near.1 - y)
     }
 
-    /// Returns whether the line between two points passes through the rectangle, tested in steps of a pixel.
+    /// Whether the line between two points passes through the rectangle, tested in steps of a pixel.
     fn is_crossed(&self, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> bool {
         let steps = (x1 - x0).hypot(y1 - y0).ceil().max(1.0) as u32;
         (0..=steps).any(|step| {
@@ -44,7 +44,7 @@ impl Area {
     }
 }
 
-/// A label to place: its marker, and how large it is.
+/// A label to place: its marker and its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Label {
     pub marker: (f64, f64),
@@ -52,20 +52,20 @@ pub struct Label {
     pub height: f64,
 }
 
-/// Half of what a marker takes.
+/// Half the width of a marker.
 pub const HALF_MARKER: f64 = 7.0;
-/// Distances of a label from its marker, the first that is free.
+/// Distances of a label from its marker, tried in this order.
 const DISTANCES: [f64; 9] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0, 76.0, 94.0, 114.0];
 /// Directions tried at each distance, in sixteenths of a full angle from the right: beside first, then above and below.
 const DIRECTIONS: [i32; 16] = [0, 8, 1, -1, 2, -2, 4, -4, 3, -3, 5, -5, 6, -6, 7, -7];
-/// Another marker is at least N times as far from a label as its own.
+/// Least ratio of a label's distances from another marker and from its own marker.
 const MIN_DISTANCE_RATIO: f64 = 1.3;
-/// Distance from which on a line leads from the marker to the label.
+/// Distance above which a line leads from the marker to the label.
 pub const LEADER_DISTANCE: f64 = 14.0;
 
-/// Places the labels one after another within `frame`: where nothing is covered, no line
-/// crosses anything and no other marker is nearer, else where
-/// nothing is covered, else to the right of the marker.
+/// Places the labels one after another within `frame`. Best is a place that covers nothing, where no line crosses anything
+/// and no other marker is nearer; else a place that covers nothing;
+/// else the place to the right of the marker.
 pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
     let markers: Vec<Area> = labels.iter().map(|label| Area::around(label.marker, HALF_MARKER)).collect();
     let mut placed: Vec<Area> = Vec::new();
@@ -73,7 +73,7 @@ pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
         let is_free = |area: &&Area| frame.holds(area) && !markers.iter().chain(&placed).any(|taken| taken.meets(area));
         let is_clear = |area: &&Area| {
             let foot = area.nearest(label.marker);
-            // Markers on top of each other cannot be distinguished anyway.
+            // Overlapping markers cannot be distinguished anyway.
             let others = || labels.iter().zip(&markers).filter(|(_, other)| !other.meets(marker));
             let is_nearest = others()
                 .all(|(other, _)| area.distance(other.marker) > MIN_DISTANCE_RATIO * area.distance(label.marker));
@@ -92,7 +92,7 @@ pub fn place(labels: &[Label], frame: &Area) -> Vec<Area> {
     placed
 }
 
-/// The label at this distance in this direction; nearest to the marker is the middle of a side or a corner.
+/// The label at `distance` in the direction `turn`; the middle of a side or a corner is nearest to the marker.
 fn candidate(label: &Label, distance: f64, turn: i32) -> Area {
     let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / 16.0).sin_cos();
     let (x, y) = (label.marker.0 + distance * cos, label.marker.1 - distance * sin);

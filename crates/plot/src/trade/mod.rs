@@ -17,7 +17,7 @@ const SIZE: (u32, u32) = (900, 620);
 const FONT: i32 = 15;
 /// Average width of a letter, in font sizes; the reader's fonts are unknown.
 const LETTER_WIDTH: f64 = 0.45;
-/// Place of an arithmetic whose enclosures have no width: beyond all others by this factor.
+/// Factor by which an arithmetic with enclosures of width zero is placed beyond all others.
 const ZERO_WIDTH_FACTOR: f64 = 1.5;
 
 /// The kind of an arithmetic, which determines colour and symbol.
@@ -73,7 +73,7 @@ impl Mark {
             }
             _ => measured.digits(),
         }?;
-        // Short, for the cluster: the legend says what the numbers are.
+        // A short name: the legend explains the numbers.
         let name = match measured.arithmetic {
             TradeArithmetic::Auto(digits) => format!("auto {digits}"),
             other => other.to_string(),
@@ -94,7 +94,7 @@ impl Mark {
     }
 }
 
-/// Returns the plot of what has been measured.
+/// The plot of the measurements.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
@@ -152,7 +152,7 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
     Ok(())
 }
 
-/// The marks of the arithmetics; those without a width stand beyond all others.
+/// The marks of the arithmetics; marks with enclosures of width zero lie beyond all others.
 fn marks(trade: &Trade<'_>) -> Vec<Mark> {
     let mut marks: Vec<Mark> = trade.rows.iter().filter_map(|measured| Mark::of(measured, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
@@ -163,7 +163,7 @@ fn marks(trade: &Trade<'_>) -> Vec<Mark> {
     marks
 }
 
-/// Writes the names of marks beside these points, with lines to those that stand apart.
+/// Writes the names of marks beside these points, with lines to distant names.
 fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>) -> Drawn {
     let boxes: Vec<Label> = marks
         .iter()
@@ -176,7 +176,7 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
         .collect();
     for ((mark, area), label) in marks.iter().zip(labels::place(&boxes, frame)).zip(&boxes) {
         lead(root, mark.kind, label.marker, &area)?;
-        // Flush with the end that is nearer, since the width is a guess.
+        // Aligned at the nearer end, since the width is approximate.
         let (x, side) = match label.marker.0 {
             marker if marker > area.right => (area.right, HPos::Right),
             marker if marker > area.left => ((area.left + area.right) / 2.0, HPos::Center),
@@ -188,11 +188,11 @@ fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>)
     Ok(())
 }
 
-/// Heights of the lines above the plot.
+/// Heights of the caption and of the legend above the plot.
 const CAPTION_HEIGHT: i32 = 70;
 const LEGEND_HEIGHT: i32 = 52;
 
-/// Title, parameters, start, and request.
+/// Draws title, parameters, start, and request.
 fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     let scene = trade.scene;
     let title = format!("What accuracy costs. {}", scene.title().unwrap_or_default());
@@ -204,7 +204,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// Draws the legend: the symbols of the kinds, and the hollow ones of orbits that end early.
+/// Draws the legend: the symbols of the kinds, and the hollow symbols of orbits that end early.
 fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
     let width = |text: &str| (LETTER_WIDTH * f64::from(FONT) * text.chars().count() as f64) as i32;
@@ -228,7 +228,7 @@ fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
     Ok(())
 }
 
-/// The marker of a kind; hollow where the orbit ends early. The crosses of `float` have no inside.
+/// Draws the marker of a kind; hollow where the orbit ends early. The crosses of `float` have no inside.
 fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) -> Drawn {
     let style = |colour: RGBColor| ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: 2 };
     let (line, inside) = (style(kind.colour()), if is_complete { kind.colour() } else { WHITE }.filled());
@@ -247,7 +247,7 @@ fn symbol(root: &Canvas<'_>, kind: Kind, is_complete: bool, (x, y): (i32, i32)) 
     Ok(())
 }
 
-/// The line from a marker to a label that stands apart.
+/// Draws the line from a marker to a distant label.
 fn lead(root: &Canvas<'_>, kind: Kind, marker: (f64, f64), label: &Area) -> Drawn {
     let foot = label.nearest(marker);
     if (foot.0 - marker.0).hypot(foot.1 - marker.1) > labels::LEADER_DISTANCE {

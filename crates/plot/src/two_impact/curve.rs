@@ -10,7 +10,7 @@ use plotters::style::RGBColor;
 use super::middle;
 use crate::picture::{BLUE, GREY, Path, Plane, SCALE, VERMILION, hermite, hex};
 
-/// The properties proved of a part of a curve, shown by colour and width.
+/// The properties proved for a part of a curve, shown by colour and width.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     Stable,
@@ -45,7 +45,7 @@ impl Kind {
     }
 }
 
-/// A point of a curve and how steep it is there.
+/// A point of a curve and the slope of the curve there.
 type Knot = ([f64; 2], f64);
 
 /// A stretch of a curve of one kind.
@@ -116,7 +116,7 @@ fn stretches(curve: &Manifold, slope: &Slope) -> Vec<Stretch> {
     all
 }
 
-/// Returns the curve as elements, and mirrored if requested: on the other wall everything is the same with `-v` (72).
+/// The curve as elements, mirrored if `is_mirrored`: on the other wall the curve is the same with `-v` (72).
 pub fn elements(curve: &Manifold, slope: &Slope, plane: &Plane, is_mirrored: bool) -> String {
     let mirrored = |([at, amplitude], slope): Knot| {
         if is_mirrored { ([-at, amplitude], -slope) } else { ([at, amplitude], slope) }
@@ -182,7 +182,7 @@ mod tests {
                 count,
             };
             for cycles in [1, 3] {
-                // The fine grid has a point in the middle between two of the coarse one.
+                // The fine grid has a point halfway between two points of the coarse grid.
                 let [coarse, fine] = [400, 799].map(|count| range(count).manifold(cycles, 12, &Unwatched).unwrap());
                 let knots: Vec<Knot> =
                     stretches(&coarse, &slope).into_iter().flat_map(|stretch| stretch.knots).collect();
@@ -198,7 +198,7 @@ mod tests {
                         hermite(((x0, y0), (run, pair[0].1 * run)), ((x1, y1), (run, pair[1].1 * run)));
                     let s = 1.0 - t;
                     let y = s * s * s * y0 + 3.0 * s * s * t * first.1 + 3.0 * s * t * t * second.1 + t * t * t * end.1;
-                    // A twentieth of a pixel of a plot of 20 in 500 pixels.
+                    // 1/20 of a pixel of a plot of 20 in 500 pixels.
                     assert!((y - middle(&point.amplitude)).abs() < 2e-3, "{name} {cycles} {at}: {y}");
                     judged += 1;
                 }

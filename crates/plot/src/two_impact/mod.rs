@@ -13,19 +13,19 @@ use plotters::style::text_anchor::HPos;
 use crate::picture::{self, Canvas, Drawn, Element, FONT, LETTER_WIDTH, Look, Plane, SCALE, hex, letters};
 use curve::{Kind, Slope};
 
-/// The picture as it is shown, and how much taller it is with a window of it magnified below.
+/// Size of the picture, and the height added by a magnified window below.
 const SIZE: (u32, u32) = (900, 640);
 const MAGNIFIED_HEIGHT: u32 = 300;
-/// The height of a line of the legend, and the room for names on the right of the plot.
+/// Height of a line of the legend, and room for names on the right of the plot.
 const LINE_HEIGHT: i32 = 26 * SCALE;
 const RIGHT_MARGIN: i32 = 52 * SCALE;
-/// Amplitudes beyond N gaps are cut off: near W = 0 they have no bound.
+/// Amplitude, in gaps, above which curves are cut off: near W = 0 they have no bound.
 const MAX_AMPLITUDE: f64 = 0.75;
 
 /// The magnified window: its ends on both axes.
 pub type Window = [[f64; 2]; 2];
 
-/// Returns the picture as SVG; over v with both walls, since one is the mirror image of the other (72). A window of it may be
+/// The picture as SVG; over v with both walls, since the curves are mirror images (72). With `window`, this part of the picture is
 /// shown again below, magnified.
 ///
 /// # Errors
@@ -52,7 +52,7 @@ struct Picture<'m> {
     axis: Axis,
 }
 
-/// A mark and where it is.
+/// A mark and its place.
 type Marked = (Option<Mark>, [f64; 2]);
 
 impl Picture<'_> {
@@ -93,7 +93,7 @@ impl Picture<'_> {
         self.content(&plane, root)
     }
 
-    /// Curves and marks.
+    /// Draws curves and marks.
     fn content(&self, plane: &Plane, root: &Canvas<'_>) -> Drawn {
         let halves = if let Axis::Velocity(_) = self.axis { &[false, true][..] } else { &[false] };
         let curves = self.curves.iter().flat_map(|curve| halves.iter().map(move |half| (curve, *half)));
@@ -107,7 +107,7 @@ impl Picture<'_> {
         Ok(())
     }
 
-    /// `A_N` tends to `d/2` for large W and for small v.
+    /// Draws the limit `d/2` of `A_N` for large W and for small v.
     fn asymptote(&self, plane: &Plane, root: &Canvas<'_>) -> Drawn {
         if !is_inside(plane, [plane.axes[0].range().start, 0.5 * self.gap]) {
             return Ok(());
@@ -124,7 +124,7 @@ impl Picture<'_> {
     }
 }
 
-/// Returns whether a place lies within the axes.
+/// Whether a place lies within the axes.
 fn is_inside(plane: &Plane, place: [f64; 2]) -> bool {
     (0..2).all(|axis| plane.axes[axis].range().contains(&place[axis]))
 }
@@ -140,7 +140,7 @@ fn axis_names(axis: Axis) -> [&'static str; 2] {
     [across, "amplitude $A_N$ [length]"]
 }
 
-/// The names of the curves, at the ends that have more room.
+/// Draws the names of the curves, at the ends that have more room.
 fn names(points: &[(u32, Vec<Marked>)], plane: &Plane, root: &Canvas<'_>) -> Drawn {
     let ends = |is_last: bool| -> Vec<(u32, (i32, i32))> {
         let shown = points.iter().filter_map(|(cycles, points)| {
@@ -159,7 +159,7 @@ fn names(points: &[(u32, Vec<Marked>)], plane: &Plane, root: &Canvas<'_>) -> Dra
     Ok(())
 }
 
-/// Returns the least distance between names at these places; from 1 on they do not cover each other.
+/// The least distance between names at these places; from 1 on names do not cover each other.
 fn room(places: &[(u32, (i32, i32))]) -> f64 {
     let distance = |a: (i32, i32), b: (i32, i32)| {
         let part = |a: i32, b: i32, size: i32| f64::from((a - b).abs()) / f64::from(size);
@@ -170,7 +170,7 @@ fn room(places: &[(u32, (i32, i32))]) -> f64 {
     pairs.fold(f64::INFINITY, f64::min)
 }
 
-/// Title, parameters and program; how high that is.
+/// Draws title, parameters and program; returns their height.
 fn caption(scene: &Scene, axis: Axis, (root, look): (&Canvas<'_>, &Look)) -> Result<i32, Box<dyn std::error::Error>> {
     let (pair, start) = (scene.pair(), scene.start());
     let given = match axis {
@@ -204,7 +204,7 @@ const ENTRIES: [Entry; 7] = [
 ];
 
 impl Entry {
-    /// Its words, and how far they stand from its left end.
+    /// The words of the entry, and their distance from its left end.
     fn words(self) -> (&'static str, i32) {
         match self {
             Self::Line(kind) => (kind.name(), 42 * SCALE),
@@ -229,7 +229,7 @@ impl Entry {
     }
 }
 
-/// Draws what lines and symbols say below `top`, in as many lines as they need; the height that they take.
+/// Draws the legend of lines and symbols below `top`, in as many lines as needed; returns its height.
 fn legend(root: &Canvas<'_>, top: i32) -> Result<i32, Box<dyn std::error::Error>> {
     let (left, right) = (24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
     let (mut x, mut line) = (left, 0);
@@ -245,7 +245,7 @@ fn legend(root: &Canvas<'_>, top: i32) -> Result<i32, Box<dyn std::error::Error>
     Ok(LINE_HEIGHT * (line + 1))
 }
 
-/// The symbol of a mark; where `sin th0 = 0` the line itself changes.
+/// Draws the symbol of a mark; where `sin th0 = 0` the line itself changes.
 fn symbol(root: &Canvas<'_>, mark: Mark, (x, y): (i32, i32)) -> Drawn {
     let (line, half) = (BLACK.stroke_width(SCALE as u32), 9 * SCALE / 2);
     match mark {
