@@ -61,7 +61,7 @@ fn rows(figure: &Figure, rounds: usize) {
     }
 }
 
-/// The figure's pair with its amplitude shared among N terms.
+/// The figure's pair with its amplitude shared equally among `terms` harmonics of nearby frequencies.
 fn shared(figure: &Figure, terms: usize) -> ImpactPair {
     let harmonic = figure.pair.excitation().reference();
     let value = |text: &str| text.parse::<Exact>().expect("an expression");

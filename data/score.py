@@ -18,7 +18,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SETS = ("flights", "chatters", "orbits")
-# A time is right within N periods of the fastest harmonic; within a quarter of one it is the impact, inexactly.
+# Accepted errors of a time, in periods of the fastest harmonic: right up to `NEAR`, the right impact but inexact up to `INEXACT`.
 NEAR, INEXACT = 1e-6, 0.25
 
 

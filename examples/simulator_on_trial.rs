@@ -15,7 +15,7 @@ const SCENE: &str = r#"
     start = { time = 0, wall = "left", velocity = -12.56636 }
 "#;
 
-/// `time,wall,velocity` of N impacts of the scene above.
+/// `time,wall,velocity` of `impacts` impacts of the scene above.
 fn simulated(step: f64, impacts: usize) -> String {
     let (amplitude, gap, restitution) = (8.0, 9.42497, 0.5);
     let acceleration = |t: f64| amplitude * PI * PI * (PI * t).sin();

@@ -57,7 +57,7 @@ fn is_confirmed(document: &Value) -> bool {
     matches!(verdict(document), Verdict::Confirmed { .. })
 }
 
-/// Returns whether a copy with another value at a path of the outcome is confirmed.
+/// Whether a copy with another value at a path of the outcome is confirmed.
 fn is_confirmed_with(document: &Value, path: &str, value: Value) -> bool {
     let mut copy = document.clone();
     *copy["outcome"].pointer_mut(path).expect(path) = value;
@@ -114,7 +114,7 @@ fn attractors_with_any_value_changed_are_not_confirmed() {
     check_attractors([1; 3]);
 }
 
-/// Every attractor as it is, and with values changed: of its bounds, of its impacts, and of all else one in N, others for the next one.
+/// Every attractor as it is, and with changed values: every `bound`-th bound, every `impact`-th impact and every `other`-th other value.
 fn check_attractors([bound, impact, other]: [usize; 3]) {
     for (number, (name, document)) in attracted().into_iter().enumerate() {
         let outcome = &document["outcome"];

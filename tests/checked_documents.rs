@@ -20,7 +20,7 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     sweep_of(scene, over, 5)
 }
 
-/// The lines of a sweep: N impacts of each point from the fourth on.
+/// The lines of a sweep: `impacts` impacts of each point after a transient of three.
 pub fn sweep_of(scene: &str, over: &[&str], impacts: u64) -> Vec<Value> {
     let scene = Scene::parse(scene).unwrap();
     let grid = Grid::new(over.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
@@ -46,7 +46,7 @@ pub fn judged(document: &Value) -> Verdict {
     Claims::parse(&document.to_string()).unwrap().check_within(&effort(), &Unwatched).unwrap()
 }
 
-/// Returns whether a document is read and confirmed.
+/// Whether a document is read and confirmed.
 pub fn is_confirmed(lines: &[Value]) -> bool {
     let text: Vec<_> = lines.iter().map(Value::to_string).collect();
     let verdict = Claims::parse(&text.join("\n")).map(|claims| claims.check_within(&effort(), &Unwatched).unwrap());

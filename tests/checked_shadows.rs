@@ -92,7 +92,7 @@ fn all_events_up_to_a_time_are_listed() {
     assert!(!is_confirmed(&document));
 }
 
-/// Bounds moved by N of their widths, and stretched around their middle.
+/// Bounds moved by `widths` of their own width, and stretched around their middle by `factor`.
 fn moved(bounds: &Value, widths: [i64; 2], factor: [i64; 2]) -> Value {
     let number = |end: usize| Exact::parse(bounds[end].as_str().unwrap()).unwrap().as_rational().unwrap().clone();
     let fraction = |[p, q]: [i64; 2]| BigRational::new(p.into(), q.into());

@@ -67,7 +67,7 @@ fn are_complete(words: &[(&str, u32, &str, &str, usize)]) {
     }
 }
 
-/// Returns whether two lists of phases are one motion, listed from different impacts.
+/// Whether two lists of phases are one motion, listed from different impacts.
 fn is_one_motion(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
     let count = one.len();
     let at = |i: usize| one[i % count] + if i < count { 0.0 } else { f64::from(chain.cycles()) };

@@ -96,7 +96,7 @@ impl Line {
         Self { code: code.trim().to_owned(), comment: String::new() }
     }
 
-    /// Returns whether the next line begins another statement.
+    /// Whether the next line begins another statement.
     fn ends_statement(&self) -> bool {
         self.code.is_empty() || self.code.ends_with([';', '{', '}']) || self.code.ends_with("},") || self.is_arm()
     }
@@ -105,7 +105,7 @@ impl Line {
         self.code.contains("=>") && self.code.ends_with(',')
     }
 
-    /// Returns whether it may lose something: a clamp, a rounding, a cast, or a comparison with a literal.
+    /// Whether the line may be inexact: a clamp, a rounding, a cast, or a comparison with a literal.
     fn suspect(&self) -> bool {
         let code = &self.code;
         let found = |what: &str| {
@@ -126,7 +126,7 @@ pub(super) fn word(text: &str) -> &str {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
-/// Returns whether a text starts with a literal that is a double.
+/// Whether a text starts with a double as a literal.
 fn starts_with_float(text: &str) -> bool {
     let text = text.trim_start_matches('-');
     let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '.' && c != '_').unwrap_or(text.len());

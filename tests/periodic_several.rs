@@ -47,7 +47,7 @@ fn questions() -> Vec<(ImpactPair, &'static str, u32)> {
     ]
 }
 
-/// All the physical orbits that are found of the questions, to N digits.
+/// The admissible orbits found for all `questions`, to `digits` decimal digits.
 fn motions(digits: u32) -> Vec<(ImpactPair, Problem, PeriodicOrbit)> {
     let mut motions = Vec::new();
     for (pair, word, cycles) in questions() {
@@ -130,8 +130,8 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
     }
 }
 
-/// A harmonic that is hardly there moves no orbit by much, but determines which forcing period of the common period it begins in. None of the
-/// orbits of one harmonic is at a bifurcation, so each of them goes on as one orbit for each forcing period after which it differs from itself.
+/// A weak harmonic changes no orbit by much, but determines in which forcing period of the common period an orbit begins. None of the
+/// orbits of one harmonic is at a bifurcation: each continues as one orbit for each forcing period of the common period.
 #[test]
 fn a_search_counts_the_orbits_of_one_harmonic_in_each_period_under_a_faint_slower_one() {
     for (word, ratio, restitution, slow, turns) in [
@@ -157,7 +157,7 @@ fn a_search_holds_what_guesses_lead_to() {
     }
 }
 
-/// A certified run from this state: times and velocities of N impacts.
+/// A certified run from the given state: times and velocities of `count` impacts.
 fn run(pair: &ImpactPair, wall: Wall, [time, velocity]: [Exact; 2], count: usize) -> Vec<(Wall, Enclosure, Enclosure)> {
     let start = Start::on_wall(time, wall, velocity).unwrap();
     let settings = Settings { impacts: Some(count as u64), arithmetic: Arithmetic::Bits(1024), ..Settings::default() };

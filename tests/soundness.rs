@@ -45,7 +45,7 @@ fn rational(text: &str) -> BigRational {
     text.parse::<impact_pair::exact::Exact>().unwrap().as_rational().unwrap().clone()
 }
 
-/// Returns whether the impact's time is proved to lie between these.
+/// Whether the impact's time is proved to lie between `low` and `high`.
 fn is_between(orbit: &Orbit, impact: &Impact, low: &str, high: &str) -> bool {
     let time = orbit.bounds(impact).0;
     time.inf().to_rational() >= rational(low) && time.sup().to_rational() <= rational(high)

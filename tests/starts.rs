@@ -1,5 +1,5 @@
-//! The requested start and the one that is followed: inside the gap, where the direction is not certain, motions are followed from a
-//! later state (Lemma R3), and what is said of the start is said of the one at the scene's time and place.
+//! The requested start and the start of the certified orbit: inside the gap, where the direction is uncertain, motions are followed from
+//! a later state (Lemma R3), and claims about the start refer to the scene's time and place.
 #![cfg(feature = "multiprecision")]
 
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap, seen_impacts};
@@ -65,8 +65,8 @@ fn middle(x: &Enclosure) -> BigRational {
     (x.inf().to_rational() + x.sup().to_rational()) / BigRational::from_integer(2.into())
 }
 
-/// Returns whether there is a velocity between these, at the scene's time and place, that has these impacts: the one with the time of the last
-/// of them, found by halving, where the ends are on its two sides.
+/// Whether a velocity within these bounds, at the scene's time and place, has these impacts: halving finds the velocity with the time of
+/// the last impact, which lies between the times from the two ends.
 fn has_them(scene: &Scene, velocity: &Enclosure, impacts: &[Listed]) -> bool {
     let last = impacts.len() - 1;
     let is_late =
@@ -117,8 +117,8 @@ fn r32_a_shadow_of_uncertain_direction_starts_at_the_time_of_the_scene() {
     }
 }
 
-/// The derivative by the start's velocity is that of the whole flight from the scene's time: with that from the later state on, the
-/// start was told within 7.9e-13, where the one that has these impacts is farther by a factor of 1,400.
+/// Test of the derivative by the start's velocity over the whole flight from the scene's time. With the derivative from the later state
+/// alone, the start was claimed within 7.9e-13, where the start with these impacts is farther by a factor of 1,400.
 #[test]
 fn r32_a_splice_after_a_start_of_uncertain_direction_knows_how_far_it_is() {
     let scene = scene(ONE, "1.3", "1.3591249314245908", HIDDEN_ZERO);

@@ -27,7 +27,7 @@ fn found(over: &str, word: &str, digits: u32) -> Tangencies {
     Tangencies::of(&figure_14(), &settings(over, word, digits), &Unwatched).unwrap()
 }
 
-/// Returns whether bounds contain a number of at least 30 digits, up to a unit of its 28th decimal place.
+/// Whether bounds contain a number of at least 30 digits, up to a unit of the number's 28th decimal place.
 fn holds(bounds: &impact_pair::exact::Enclosure, number: &str) -> bool {
     let number = Exact::parse(number).unwrap().enclose(400);
     let places = 28;

@@ -30,7 +30,7 @@ fn all(pair: &ImpactPair, cycles: u32) -> Answer {
     Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(20)
 }
 
-/// Returns whether the two have a number in common.
+/// Whether two enclosures have a number in common.
 pub fn meets(x: &Enclosure, y: &Enclosure) -> bool {
     x.intersection(y).is_some()
 }
@@ -283,7 +283,7 @@ fn follow(pair: &ImpactPair, orbit: &Orbit, cycles: u32) {
     assert!(matches!(run.advance(), Progress::Ended));
 }
 
-/// Returns whether the certified orbit has the two impacts of a motion and none before; `None` if that is undecided.
+/// Whether the certified orbit has the two impacts of a motion and no earlier impact; `None` if undecided.
 fn is_followed(pair: &ImpactPair, orbit: &Orbit, cycles: u32) -> Option<bool> {
     let mut run = start(pair, orbit, 2);
     for wall in [Wall::Right, Wall::Left] {
@@ -311,7 +311,7 @@ fn start(pair: &ImpactPair, orbit: &Orbit, impacts: u64) -> Run {
     Run::new(&shifted, &start, Settings { impacts: Some(impacts), ..Settings::default() }).unwrap()
 }
 
-/// Returns whether an impact may be that of a motion on this wall in this period.
+/// Whether an impact may be the motion's impact on this wall in this period.
 fn is_expected(run: &Run, impact: &Impact, orbit: &Orbit, (cycles, period, wall): (u32, u32, Wall)) -> bool {
     let number = |n: u32| exact(&n.to_string()).enclose(BITS);
     let (time, velocity) = run.bounds(impact);

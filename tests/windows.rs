@@ -133,7 +133,7 @@ const SINKS: [(&str, usize, f64, f64); 5] = [
     ("", 20, 9.424803265174338, 1.8e-8),
 ];
 
-/// Returns whether one sequence of flights is the other one, begun at another impact.
+/// Whether one sequence of flights is a cyclic rotation of another.
 fn is_one(a: &str, b: &str) -> bool {
     a.len() == b.len() && (b.to_owned() + b).contains(a)
 }

@@ -40,7 +40,7 @@ fn audit(arguments: &[&str]) -> Command {
     command
 }
 
-/// Returns the output of `audit` for a list on stdin.
+/// The output of `audit` for a list on stdin.
 fn answer(list: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
     let mut command = audit(arguments);
@@ -57,7 +57,7 @@ fn judged(list: &str, arguments: &[&str], code: i32) -> Value {
     serde_json::from_slice(&answer.stdout).unwrap()
 }
 
-/// Returns the verdicts that disagree, each with the number of its impact or, for a false one, of its row.
+/// The verdicts that disagree, each with the number of its impact or, for a false impact, of its row.
 fn disagreements(document: &Value) -> Vec<(String, u64)> {
     let found = document["events"].as_array().unwrap().iter().filter_map(|event| {
         let verdict = event["verdict"].as_str().unwrap();

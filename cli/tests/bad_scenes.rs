@@ -17,7 +17,7 @@ fn refusal(scene: &str) -> String {
     String::from_utf8(answer.stderr).unwrap()
 }
 
-/// Returns whether an excerpt is the line that the message names, with marks below it; empty where the message names no line.
+/// Whether an excerpt is the line that the message names, with marks below; whether it is empty if the message names no line.
 fn shows_a_line(scene: &str, message: &str, excerpt: &str) -> bool {
     let Some((number, _)) = message.strip_prefix("line ").and_then(|rest| rest.split_once(':')) else {
         return excerpt.is_empty();

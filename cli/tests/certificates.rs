@@ -1,4 +1,4 @@
-//! `check` and `prove`: what they say of right certificates, wrong ones and what is none.
+//! `check` and `prove`: their results for right certificates, wrong certificates and files that are no certificates.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -121,7 +121,7 @@ fn a_region_is_written_and_drawn() {
     let drawn = fs::read_to_string(plot).unwrap();
     assert!(drawn.starts_with("<svg") && drawn.contains("fill=\"#121212\"") && !drawn.contains("#FFFFFF"));
     assert!(drawn.contains("a trapping region of 431 boxes; the scene's orbit is in it from impact 2"));
-    // The orbit is in half a forcing period about its beginning.
+    // The orbit lies within half a forcing period around phase 0.
     assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }
 

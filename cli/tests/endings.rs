@@ -50,7 +50,7 @@ fn answer(arguments: &[&str], more: &[&str]) -> (Option<i32>, String) {
     (done.status.code(), String::from_utf8(done.stderr).unwrap())
 }
 
-/// Returns whether a text has the format that the ending of its file stands for.
+/// Whether a text has the format of its file's ending.
 fn is_written_as(ending: &str, text: &str) -> bool {
     match ending {
         "json" => serde_json::from_str::<serde_json::Value>(text).is_ok(),

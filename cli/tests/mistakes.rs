@@ -6,7 +6,7 @@ use crate::common::{folder, program};
 
 const SCENE: &str = "scenes/figure-14.toml";
 
-/// Returns the message for a command line that is refused.
+/// The message for a command line that is refused.
 fn error_of(arguments: &[&str]) -> String {
     let done = program(arguments).output().unwrap();
     let error_of = String::from_utf8(done.stderr).unwrap();

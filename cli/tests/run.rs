@@ -67,7 +67,7 @@ snapshots! { UNCERTAIN;
     too_few_bits_at_most: run(&["scenes/figure-12.toml", "--max-bits", "53"]);
 }
 
-/// Returns the outcome and the number of events of `impact-pair run` on a scene of this excitation, pair and start.
+/// The outcome and the number of events of `impact-pair run` on a scene of this excitation, pair and start.
 fn end_of(excitation: &str, pair: &str, start: &str, arguments: &[&str]) -> (serde_json::Value, usize) {
     let scene = format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ time = 0, {start} }}\n");
     let answer = common::answer_to(&scene, &[&["--format", "json"], arguments].concat());

@@ -78,7 +78,7 @@ start = { time = 0, wall = "left", velocity = -12.56636 }
 run = { impacts = 20 }
 "#;
 
-/// Returns the output of the program, run in a folder with the scene, an orbit of it and a list.
+/// The output of the program, run in a folder with the scene, an orbit of the scene and a list.
 fn written(arguments: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();

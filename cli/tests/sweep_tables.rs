@@ -37,7 +37,7 @@ fn run_to_end(command: &mut Command) -> Output {
     answer
 }
 
-/// Returns the text that a command writes to stdout.
+/// The text that a command writes to stdout.
 fn stdout_of(command: &mut Command) -> String {
     String::from_utf8(run_to_end(command).stdout).unwrap()
 }
@@ -207,7 +207,7 @@ fn a_resumed_sweep_writes_both_tables() {
     }
 }
 
-/// Returns the message for a command line that is refused.
+/// The message for a command line that is refused.
 fn refusal(command: &mut Command) -> String {
     let answer = command.output().unwrap();
     assert_eq!((answer.status.code(), answer.stdout.is_empty()), (Some(2), true), "{answer:?}");

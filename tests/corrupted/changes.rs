@@ -18,7 +18,7 @@ pub struct Change {
 }
 
 impl Change {
-    /// Returns whether it is at a key, which may have positions in lists, or in the value there.
+    /// Whether the change is at a key, which may have positions in lists, or in the value at that key.
     pub fn is_at(&self, key: &str) -> bool {
         self.path.starts_with(key) || self.place.starts_with(key)
     }
@@ -204,7 +204,7 @@ fn moved_bounds(path: &[String], [lower, upper]: &[String; 2]) -> Vec<(&'static 
     all
 }
 
-/// A decimal, N units of its last place higher.
+/// A decimal, `units` units of its last place higher.
 pub fn moved(text: &str, units: i64) -> String {
     let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let places = digits.split_once('.').map_or(0, |(_, part)| part.len() as i64);

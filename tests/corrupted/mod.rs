@@ -44,7 +44,7 @@ fn next(state: &mut u64) -> u64 {
     *state >> 33
 }
 
-/// The changes of all plans for a document, or of N of them.
+/// The changes of all plans for a document, or of `most` randomly chosen plans.
 fn some(document: &Value, most: usize, seed: u64) -> Vec<changes::Change> {
     let mut plans = changes::plans(document);
     let mut state = seed;

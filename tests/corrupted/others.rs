@@ -54,7 +54,7 @@ fn trap() -> Value {
     region("figure-14", 12)
 }
 
-/// A region, and the words of N walls in it.
+/// A trapping region, and its words of `impacts` walls.
 pub fn region(name: &str, impacts: u32) -> Value {
     let scene = figure(name);
     let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
@@ -72,7 +72,7 @@ pub fn description(name: &str) -> Value {
     json!(found.document(&scene, name).unwrap())
 }
 
-/// All cycles of figure 14 with one to N impacts.
+/// All cycles of figure 14 with one to `most` impacts.
 pub fn cycles(most: u32) -> Value {
     let (scene, requested) = (figure("figure-14"), 1..=most);
     let found = Cycles::of(&scene, 0, &requested, Precision::default(), &Unwatched).unwrap();

@@ -14,7 +14,7 @@ use super::{documents, shadow};
 /// Impacts that are computed beyond those that are claimed.
 const EXTRA_IMPACTS: u64 = 2;
 
-/// Returns whether all that it claims holds, for both ends of all its intervals.
+/// Whether all claims of a document hold, for both ends of all intervals of its scene.
 pub fn is_true(document: &Value) -> bool {
     (0..2).all(|end| {
         let mut scene = document["scene"].clone();
@@ -42,7 +42,7 @@ fn at_ends(value: &mut Value, end: usize) {
     }
 }
 
-/// Returns whether bounds contain those found, to about the 60 digits that these have.
+/// Whether claimed bounds contain the found bounds, which are known to about 60 digits.
 pub fn holds(claimed: &Value, found: &Value) -> bool {
     let number = |bounds: &Value, end: usize| bounds[end].as_str().and_then(|text| Exact::parse(text).ok());
     let order = |a: Option<Exact>, b: Option<Exact>| a.zip(b).and_then(|(a, b)| a.compare(&b));

@@ -28,7 +28,7 @@ impl Original {
         }
     }
 
-    /// Returns whether it is of one of these kinds.
+    /// Whether the document is of one of these kinds.
     pub fn is(&self, kinds: &[&str]) -> bool {
         kinds.contains(&self.kind)
     }
@@ -38,7 +38,7 @@ impl Original {
         Forged { what, document, of, is_certain: true, false_claims: None }
     }
 
-    /// Returns a forgery with other values at these paths.
+    /// A forgery with other values at these paths.
     pub fn with(&self, what: impl Into<String>, changes: &[(&str, Value)]) -> Forged {
         self.forged(what, with(&self.document, changes))
     }
@@ -88,7 +88,7 @@ pub struct Forged {
     pub false_claims: Option<Vec<String>>,
 }
 
-/// The path of the document itself, which no name of what is not judged covers.
+/// The path of the document itself, which is covered by no name of an unchecked value.
 pub const DOCUMENT_ROOT: &str = "";
 
 impl Forged {
@@ -187,7 +187,7 @@ fn compare(one: &Value, other: &Value, path: &str, paths: &mut Vec<String>) {
     }
 }
 
-/// Returns whether each of the paths is one that is not checked, or lies in one; a list may be named without the positions in it.
+/// Whether each path is unchecked, or lies in an unchecked path; a list may be named without positions.
 pub fn are_named(paths: &[String], unjudged: &[String]) -> bool {
     let covers = |key: &[String], path: &[String]| {
         let mut path = path.iter();

@@ -19,7 +19,7 @@ pub fn motion(scene: &Value, impacts: u64) -> Option<Vec<Value>> {
     json!(document::orbit(&pair, &start, settings).ok()?)["events"].as_array().cloned()
 }
 
-/// Returns whether an event follows the listed ones: of a ball that moves under `A > 0` or with a drift one always does.
+/// Whether an event follows the listed events: for `A > 0` or with a drift, an event always follows.
 pub fn goes_on(original: &Original) -> bool {
     !["rests-forever", "never-impacts"].contains(&original.outcome())
 }

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::forged::bounds;
 use crate::corrupted::truth;
 
-/// Returns whether all that is checked of a document holds; false for kinds that are not computed anew.
+/// Whether all checked claims of a document hold; false for kinds that are not computed again.
 pub fn is_true(kind: &str, document: &Value) -> bool {
     match kind {
         "list" => document.as_array().unwrap().iter().all(truth::is_true),
@@ -26,7 +26,7 @@ pub fn is_true(kind: &str, document: &Value) -> bool {
     }
 }
 
-/// Returns whether the document is about a cycle with rests alone, and that is the cycle of its scene.
+/// Whether the document is about a single cycle with rests, and the cycle is the cycle of its scene.
 fn has_rests(document: &Value) -> Option<bool> {
     let (pair, _) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let [claimed] = &document["components"].as_array()?[..] else { return None };

@@ -80,8 +80,8 @@ fn neighbours(original: &Original) -> Vec<Forged> {
     all
 }
 
-/// Returns whether the value only names the scene: a sweep replaces it by those of its axes; from a given phase on a motion under one harmonic
-/// is the same for every `tau` (Lemma R1), and so are windows of periodic orbits, whose impacts are listed by phase.
+/// Whether the value only names the scene. A sweep replaces it by the values of its axes. From a given phase on, a motion under one
+/// harmonic is the same for every `tau` (Lemma R1), and so are windows of periodic orbits, whose impacts are listed by phase.
 fn is_named_only(original: &Original, key: &str) -> bool {
     if original.is(&["windows"]) {
         return key == "/excitation/phase/0";

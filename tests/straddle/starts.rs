@@ -74,7 +74,7 @@ impl Dice {
         format!("{}/{}", self.below(37), 37)
     }
 
-    /// A quarter period, N whole forcing periods away.
+    /// A random whole number of quarter periods, up to a forcing period away.
     fn quarter(&mut self) -> String {
         format!("{}/4", self.below(9) as i64 - 4)
     }

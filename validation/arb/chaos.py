@@ -34,7 +34,7 @@ def round_of(base):
 
 
 def side(start, end, state, turns=0):
-    """Positive if a state, N forcing periods earlier, is on the left of the line."""
+    """Positive if a state, `turns` forcing periods earlier, is on the left of the line."""
     return cross(minus(end, start), minus((state[0] - turns, state[1]), start))
 
 
@@ -58,7 +58,7 @@ def check_bases(bases):
 
 
 def crossings(base, tube, turns):
-    """(first, last) chords of each stretch of the tube that leads across the base N forcing periods later, between its stable edges."""
+    """(first, last) chords of each stretch of the tube that leads across the base `turns` forcing periods later, between the base's stable edges."""
     last = None
     for number, chord in enumerate(tube):
         if not all(
@@ -76,7 +76,7 @@ def crossings(base, tube, turns):
 
 
 def words_of(law, bases, depth, dropped):
-    """(words, parts): all words of N impacts that are proved, and how many parts of cells they took."""
+    """(words, parts): all proved words of `depth` impacts, and the number of parts of cells that the proof took."""
     words, parts = [], 0
     runs = [(number, "", list(base)) for number, base in enumerate(bases)]
     for _ in range(depth):

@@ -116,7 +116,7 @@ def run_binary(binary, scene, impacts, digits, arithmetic):
 
 
 def judge(path, lines, impacts, digits):
-    """`Found` in the lines of a CSV, which list N impacts of a scene."""
+    """`Found` in the lines of a CSV with the first `impacts` impacts of a scene."""
     scene = Scene.read(path)
     rows = read_rows(lines)
     proved, bits = orbit(scene, impacts, max(30, digits + 20))

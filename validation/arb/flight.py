@@ -9,7 +9,7 @@ from flint import arb, ctx
 from scene import LEFT, RIGHT
 
 CLEAR = "clear"
-# A flight is followed for N periods, in M parts.
+# Longest flight that is followed, in periods, and the greatest number of its parts.
 LONGEST, MOST_PARTS = 10**12, 40_000
 
 

@@ -21,7 +21,7 @@ from simulate import exact
 from timeline import Timeline
 from untold import merged
 
-# A motion that is said never to touch a wall is followed for N periods.
+# Number of periods for which a motion that is claimed never to touch a wall is followed.
 NEVER = 100
 # A velocity of 10^-60 in 256 bits is distinguished from its neighbours.
 STRADDLING_DIGITS = 140

@@ -40,7 +40,7 @@ def reflected(rows):
 
 
 def keyed(rows):
-    """The times of the rows by event and place: N rests before, N impacts since."""
+    """The times of the rows by key: the number of rests before, the number of impacts since (or the event), and the wall."""
     for number, stretch in enumerate(stretches(rows)):
         for place, row in enumerate(stretch.impacts):
             yield (number, place, row["wall"]), bounds(row, "time")

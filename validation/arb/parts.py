@@ -19,7 +19,7 @@ from tangency import judge_document
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
 DIGITS = 9
-# Doubles must reach N impacts of every figure.
+# Number of impacts that doubles must reach for every figure.
 IN_DOUBLES = 60
 
 # `judge(*arguments, binary)` gives a Counter and a remark; `scene` is printed if it fails.

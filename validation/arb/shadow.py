@@ -109,7 +109,7 @@ def refined(scene, rows):
         states += [(row["wall"], middle(row, "time"), middle(row, "velocity")) for row in rows]
         for _ in range(MOST_SWEEPS):
             states, farthest = sweep(motion, rough, states, is_of_times(scene))
-            # The next step is the square of this one: nothing at this precision.
+            # The next step is about the square of this step: less than the precision.
             if farthest < arb(2) ** (-bits // 2):
                 return decimal_below(exact(states[0][1 if is_of_times(scene) else 2]), bits)
     raise Disagreement(f"no orbit is near: the middles still move by {farthest.str(3)}")

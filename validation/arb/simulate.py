@@ -26,7 +26,7 @@ def ends(ball):
 
 
 def decimal_below(value, places):
-    """The largest decimal with N places that is not above a fraction."""
+    """The largest decimal with `places` decimals that is not above a fraction."""
     units = value * 10**places // 1
     digits = str(abs(units)).rjust(places + 1, "0")
     return ("-" if units < 0 else "") + digits[: len(digits) - places] + "." + digits[len(digits) - places :]

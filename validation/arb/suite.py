@@ -18,14 +18,14 @@ from parts import FULL, PARTS, QUICK, SEVERAL, STRADDLING, jobs
 from report import write_report
 
 PROCESSES = 2
-# Of the resting scenes with small e or small A/d, N must come to rest, or the scenes are badly drawn.
+# Least share of the resting scenes with small e or small A/d that come to rest; with fewer the scenes are badly drawn.
 RESTING = 0.6
-# So many scenes may end before all was compared: undecided, in doubles above all, or beyond this proof. Of the
-# straddling ones it is a third: most of 10^-17 to 10^-60 is nothing to 64 bits, and without drift nothing ever comes.
+# Greatest share of scenes that may end before all was compared: undecided, in doubles above all, or beyond this proof. Of
+# the straddling scenes about a third do: most offsets of 10^-17 to 10^-60 vanish in 64 bits, and without drift no impact comes.
 CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1, SEVERAL: 0.1, STRADDLING: 0.4}
-# Of those that `auto` runs, in 1,024 bits, N may be undecided.
+# Greatest share of the scenes that `auto` runs, in 1,024 bits, that may be undecided.
 STRADDLING_AUTO = 0.3
-# Of all scenes with several harmonics N must come to rest.
+# Least share of the scenes with several harmonics that come to rest.
 SEVERAL_RESTING = 0.4
 
 

@@ -23,7 +23,7 @@ CLOSER = 8
 class Timeline:
     """The legs of a scene, for comparisons with listings to N digits; computed on request.
 
-    `width`: N digits are proved at least. `is_patient`: a chatter may be listed on when it is too short for that.
+    `width`: number of digits proved at least. `is_patient`: a chatter may be listed on when it is too short for `digits`.
     """
 
     def __init__(self, scene, digits, width=30, is_patient=False):
@@ -34,7 +34,7 @@ class Timeline:
         self.spare = 20 + int(ceil(8 / (1 - float(chatter.mid())))) if chatter < 1 else 20
 
     def leg(self, key, scene, impacts):
-        """`Proved` with N impacts of a scene that begins a leg, or those up to its rest."""
+        """`Proved` with `impacts` impacts of a scene that begins a leg, or with the impacts up to its rest."""
         known = self.proved.get(key)
         if known is None or known[0] < impacts and known[1].rest is None:
             settle = settle_within(self.digits)
@@ -56,11 +56,11 @@ class Origin:
         self.timeline, self.key, self.scene = timeline, key, scene
 
     def prove(self, impacts, resting):
-        """`Proved` with N impacts at least, and the rest, if there is one and `resting`."""
+        """`Proved` with at least `impacts` impacts, and the rest, if there is one and `resting`."""
         return self.timeline.leg(self.key, self.scene, impacts + (self.timeline.spare if resting else 0))
 
     def prove_on(self, impacts, proved):
-        """The same rest, and N impacts before it, however little time is left."""
+        """The same rest with `impacts` impacts before it, however little time is left."""
         on = prove(self.scene, impacts, self.timeline.width, None, MOST_BITS)
         return on._replace(rest=proved.rest, bits=max(on.bits, proved.bits))
 

@@ -4,7 +4,7 @@ from decimal import Decimal
 
 
 def moved(bound, units):
-    """The bound, N units of its last place higher."""
+    """The bound, `units` units of its last place higher."""
     sign, digits, exponent = Decimal(bound).as_tuple()
     mantissa = int("".join(map(str, digits))) * (-1 if sign else 1)
     return f"{mantissa + units}e{exponent}"

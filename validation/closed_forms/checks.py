@@ -116,7 +116,7 @@ def check_even_impossible(case, binary, number):
 
 
 def jobs(thin):
-    """All jobs; `thin` takes every N-th orbit of the large families."""
+    """All jobs; `thin` takes every `thin`-th orbit of the large families."""
     odd, even, other = elastic_orbits()
     families = {
         EQUISPACED: (check_equispaced, list(equispaced.grid(thin))),

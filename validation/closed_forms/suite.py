@@ -15,7 +15,7 @@ from program import Disagreement
 from report import write_report
 
 PROCESSES = 2
-# --quick takes every N-th orbit.
+# --quick takes every `THIN`-th orbit.
 THIN = 20
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 

@@ -11,7 +11,7 @@ BITS, DIGITS = 192, "40"
 
 
 def growth(source, impacts):
-    """(run, exponent) over N certified impacts."""
+    """(run, exponent) over `impacts` certified impacts."""
     with ctx.workprec(BITS):
         run = Run(source, "--impacts", str(impacts), "--digits", DIGITS)
         expect(run.count("rest") == 0 and run.count("graze") == 0, "no impact sticks")

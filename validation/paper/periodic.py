@@ -77,7 +77,7 @@ class Orbit:
 
 
 def later(state, cycles):
-    """The same state N cycles on."""
+    """The same state, `cycles` cycles later."""
     wall, th, v = state
     return wall, th + 2 * cycles * arb.pi(), v
 

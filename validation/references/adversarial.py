@@ -46,7 +46,7 @@ def scene(time: str, tau: str, e: str, before: str, gap: str) -> Scene:
 
 
 def rises(hard: Scene, until: int) -> list[tuple[mpf, mpf]]:
-    """(time, height above the left wall) of the extrema within N periods; the gap does not matter."""
+    """(time, height above the left wall) of the extrema within `until` periods, which take 1; the gap does not matter."""
     motion, start = hard.motion(), hard.start()
     height = fly(motion, start).height
     return [(time, height(time) + motion.gap / 2) for time in extrema(motion, start, start.time + until)]

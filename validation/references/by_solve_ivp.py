@@ -17,7 +17,7 @@ class BySolveIvp:
     """y'' = A W^2 sin(W t + tau), (10), by a Runge-Kutta method of SciPy."""
 
     def __init__(self, name: str, method: str, tolerance: float, steps: int | None = None, **options: float):
-        """`steps`: at least N steps a period (`max_step`); `options` go to `solve_ivp`."""
+        """`steps`: least number of steps in a period (`max_step`); `options` go to `solve_ivp`."""
         self.name, self.method, self.tolerance, self.steps, self.options = name, method, tolerance, steps, options
 
     def contacts(self, motion: Motion[float], start: Start[float], until: float, limit: int) -> Listing:

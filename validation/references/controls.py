@@ -15,7 +15,7 @@ AT = 4  # the event that is spoiled, counted from 0
 
 
 def shifted(event: Event, periods: str, period: mpf) -> Event:
-    """The bracket of its time moved by N periods."""
+    """The event with its bracket of time moved by `periods` periods."""
     with mp.workdps(FLIGHT_DIGITS):
         ends = tuple(mp.nstr(mpf(end) + mpf(periods) * period, 40) for end in event.time)
     return event._replace(time=ends)

@@ -101,7 +101,7 @@ def judge_release(motion: Motion[mpf], wall: str, low: mpf, high: mpf) -> tuple[
 
 
 def judge(scene: Scene, certified: Certified, digits: int, until: str | None = None) -> Judged:
-    """Retraces a listing with N digits, to its first problem; `until`: and nothing more happens before."""
+    """Retraces a listing with `digits` digits, up to its first problem; `until`: no further event comes before that time."""
     with mp.workdps(digits):
         motion, start = scene.motion(), scene.start()
         legs: list[Leg] = []

@@ -38,7 +38,7 @@ def ask(program: str, verb: str, scene: Scene, *arguments: str) -> dict:
 
 def certify(program: str, scene: Scene, impacts: int, digits: int, until: str | None = None,
             arithmetic: str = "auto") -> Certified:
-    """Certified events of the scene, up to N impacts and to the time `until`."""
+    """Certified events of the scene, up to `impacts` impacts and to the time `until`."""
     arguments = ["--impacts", str(impacts), "--digits", str(digits), "--arithmetic", arithmetic]
     arguments += ["--until", until] if until else []
     document = ask(program, "run", scene, *arguments)

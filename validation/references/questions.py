@@ -11,7 +11,7 @@ from scene import Scene, doubles, rounded
 FIGURES = (12, 13, 14, 15, 16, 17)
 ASKED_DIGITS = 20
 CHATTER_UNTIL = "5"
-CHATTER_IMPACTS = 1000  # a reference that lists as many is stuck
+CHATTER_IMPACTS = 1000  # a reference that lists this many impacts is stuck
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ class Answers(NamedTuple):
 
 
 def parted(answers: list[Answer], flights: int, hard: int) -> Answers:
-    """The answers to the questions in the order: orbits, the number of flights, of hard ones, chatter."""
+    """The answers in the order of the questions: orbits, `flights` single flights, `hard` adversarial flights, chatter."""
     rest = iter(answers)
     orbits, singles, adversarial = ([next(rest) for _ in range(count)] for count in (len(FIGURES), flights, hard))
     return Answers(orbits, singles, adversarial, next(rest))

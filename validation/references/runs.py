@@ -21,7 +21,7 @@ SLOWEST_FIRST = (2, 1, 0, 3, 4)
 PROCESSES = 2
 CHUNK = 20          # questions a task
 REPEATED_FOR = 0.1  # seconds; a quick run is timed more often than once ...
-REPEATED = 25       # ... at most N times
+REPEATED = 25       # ... up to this number of times
 
 
 class Question(NamedTuple):

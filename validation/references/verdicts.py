@@ -20,7 +20,7 @@ class Drift(NamedTuple):
 
 
 def first_off(legs: list[Leg], contacts: list[Contact], within: mpf) -> int | None:
-    """The number, from 1, of the first contact on another wall or off by more than N periods, or not there."""
+    """The number, from 1, of the first contact that is missing, on another wall, or off by more than `within` periods."""
     for number, leg in enumerate(legs, 1):
         if number > len(contacts):
             return number

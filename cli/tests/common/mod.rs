@@ -42,7 +42,7 @@ pub fn program(arguments: &[&str]) -> Command {
     command
 }
 
-/// Returns the output of `run` for a scene on stdin.
+/// The output of `run` for a scene on stdin.
 pub fn answer_to(scene: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
     let mut command = run(&["-"]);
@@ -83,7 +83,7 @@ pub fn files(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Returns the output of a command that is interrupted (Ctrl-C) as soon as it `is_ready`.
+/// The output of a command that is interrupted (Ctrl-C) as soon as it `is_ready`.
 #[cfg(unix)]
 pub fn interrupted(command: &mut Command, is_ready: impl Fn() -> bool) -> Output {
     let child = command.stderr(Stdio::piped()).spawn().unwrap();

@@ -64,7 +64,7 @@ fn r40_a_point_is_listed_once() {
     assert!(found.verdict == VerdictName::Refuted && found.message.contains("listed before"), "{}", found.message);
 }
 
-/// A shard has every N-th point and no other, a summary no impacts, and a whole sweep all its points.
+/// A shard must have exactly its points of the grid, a summary no impacts, and a whole sweep all its points.
 #[test]
 fn r41_shards_summaries_and_missing_points_of_sweeps_are_checked() {
     let (_, lines) = all().into_iter().find(|(name, _)| name == "sweep").unwrap();

@@ -371,7 +371,7 @@ fn bounds(value: &Value) -> Option<[f64; 2]> {
     Some([low.as_str()?.parse().ok()?, high.as_str()?.parse().ok()?])
 }
 
-/// Returns whether a claim holds for every value at a path.
+/// Whether a claim holds for every value at a path.
 fn holds_for_all(name: &str, path: &str, head: &Value) -> bool {
     let excitation = &head["scene"]["excitation"];
     let is_one = excitation["phase"].as_array().is_some_and(|all| all.len() == 1);

@@ -27,7 +27,7 @@ fn r47_no_motion_grazes_for_ever_below_a_gap_of_two_amplitudes() {
     assert!(may_graze.verdict != VerdictName::Refuted && is_named(&may_graze, "components[0].kind"));
 }
 
-/// An undecided component of the pair of a recorded horseshoe that is claimed to hold it, its h-sets N forcing periods later.
+/// An undecided component with the false claim of a recorded horseshoe, whose h-sets are moved by `periods` forcing periods.
 fn with_horseshoe(periods: u32) -> Value {
     let chaos = recorded("chaos");
     let mut bases = chaos["bases"].clone();

@@ -46,7 +46,7 @@ pub fn pair(gap: &str, restitution: &str) -> Value {
     document
 }
 
-/// N times around the orbit of a component, or of a window: true, but for the word "least".
+/// The orbit of a component, or of a window, run through `times` times: true, but for the word "least".
 fn around(own: &mut Value, times: i32) {
     let word = own["word"].as_str().unwrap().to_owned();
     own["word"] = json!(vec![word; times as usize].join(" "));

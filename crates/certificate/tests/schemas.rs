@@ -33,7 +33,7 @@ fn parts<'s>(schema: &'s Value, root: &'s Value) -> Vec<&'s Value> {
     [vec![schema], inner].concat()
 }
 
-/// Returns whether it is the whole schema again: cells are made of cells.
+/// Whether the value is the whole schema again: cells consist of cells.
 fn is_itself(schema: &Value) -> bool {
     schema["$ref"] == "#"
 }

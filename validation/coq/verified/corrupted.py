@@ -8,7 +8,7 @@ OTHER = {"left": "right", "right": "left"}
 
 
 def shifted(bounds, widths):
-    """The interval, N of its widths higher."""
+    """The interval, `widths` of its own widths higher."""
     low, high = map(Decimal, bounds)
     return [f"{low + widths * (high - low):f}", f"{high + widths * (high - low):f}"]
 

@@ -198,8 +198,8 @@ let listed ~is_point data origin impacts =
   let s = setting fine data in
   along s (start_of s origin) (if is_point then middles s impacts else followed s origin impacts)
 
-(* The phase at which a flight first meets a wall, about, and that wall: by steps that grow from the launch on, up to `steps_per_radian` for
-   each radian of the fastest harmonic. *)
+(* Approximate phase at which a flight first meets a wall, and that wall: by steps that grow from the launch on, up to `steps_per_radian`
+   steps in each radian of the fastest harmonic. *)
 let steps_per_radian = 200.0
 let most_steps_of_flight = 2_000_000
 let first_step = 1e-9

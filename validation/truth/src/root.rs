@@ -96,7 +96,7 @@ impl Piece {
         if self.changes_sign_around(&phi, accuracy_bits) { Ok(phi) } else { Err(phi) }
     }
 
-    /// Returns whether D is clearly negative 2^-`accuracy_bits` before `phi` and clearly positive as much after it.
+    /// Whether D is clearly negative 2^-`accuracy_bits` before `phi` and clearly positive as much after `phi`.
     fn changes_sign_around(&self, phi: &Float, accuracy_bits: u32) -> bool {
         let bits = self.theta0.prec();
         let margin = Float::with_val(bits, Float::u_exp(1, -(accuracy_bits as i32)));

@@ -242,7 +242,7 @@ fn whole_periods_before_the_start_change_nothing() {
     }
 }
 
-/// Returns whether a start has its velocity to the right here: on the right wall, and nowhere else.
+/// Whether a start has its velocity to the right here: on the right wall, and nowhere else.
 fn place_sign(place: &At) -> bool {
     matches!(place, At::Wall(Wall::Right))
 }

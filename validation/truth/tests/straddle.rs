@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 
 const ARITHMETICS: [Arithmetic; 5] =
     [Arithmetic::Interval, Arithmetic::Inari, Arithmetic::Bits(64), Arithmetic::Bits(256), Arithmetic::Auto];
-/// More than an `auto` of N bits takes: a start that does is shown.
+/// Time above which a start is shown: more than `auto` takes.
 const SLOW_START: Duration = Duration::from_secs(2);
 
 /// Number of times that each verdict was found in each family.

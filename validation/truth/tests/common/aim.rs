@@ -19,7 +19,7 @@ const SEARCH: u32 = 192;
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     pub wall: Wall,
-    /// The extremum of this kind N forcing periods after the first one.
+    /// Forcing periods from the first extremum of this kind to the aimed extremum.
     pub turn: u64,
 }
 

@@ -45,7 +45,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// **Panics** when the orbit does not end within as many steps as only one that hangs takes.
+    /// **Panics** when the orbit does not end within the greatest number of steps that an orbit without a hang takes.
     pub fn new(scene: &Scene, kind: Kind, impacts: u64) -> Run {
         let settings = Settings { digits: kind.1, arithmetic: kind.0, max_bits: MOST_BITS, ..Settings::default() };
         Run::within(scene, settings, impacts)

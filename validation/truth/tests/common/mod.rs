@@ -19,7 +19,7 @@ use rug::Float;
 pub struct Random(u64);
 
 impl Random {
-    /// Returns the generator of this seed, whatever the environment says.
+    /// The generator of this seed, whatever the environment says.
     pub fn new(seed: u64) -> Random {
         Random(seed)
     }

@@ -206,7 +206,7 @@ pub fn impacts_before_rest(orbit: &mut Orbit) -> Vec<Impact> {
     }
 }
 
-/// Returns whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.
+/// Whether the true orbit from the first member ends (it rests, or never meets a wall again) after `impacts`.
 pub fn truth_ends(scene: &Scene, bits: u32, impacts: usize) -> bool {
     scene.truth(bits, [0.0; 5], impacts + 1).len() == impacts
 }

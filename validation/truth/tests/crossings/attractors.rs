@@ -46,7 +46,7 @@ fn attracting(document: &Value) -> Vec<(usize, &Value)> {
     listed.iter().enumerate().filter(|(_, own)| own["kind"] == "attracting").collect()
 }
 
-/// Returns whether it is in a component of which nothing else is decided: it has no boxes of its own.
+/// Whether a component lies in a component of which nothing else is decided: such a component has no boxes of its own.
 fn is_within(own: &Value) -> bool {
     own["boxes"] == 0
 }

@@ -55,7 +55,7 @@ fn impacts(member: &Member) -> Vec<Reduced> {
     found
 }
 
-/// Returns whether a state is in a rectangle, whose phases are modulo 1; at its edge it counts as `at_edge` says.
+/// Whether a state is in a rectangle, whose phases are modulo 1; `at_edge` is the answer at its edge.
 fn holds(rect: &Rectangle, state: &Reduced, at_edge: bool) -> bool {
     let slack = if at_edge { SIMULATOR_TOLERANCE } else { 0.0 };
     let [[low, high], [slow, fast]] = [rect.phase, rect.speed];

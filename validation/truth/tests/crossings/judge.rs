@@ -154,7 +154,7 @@ fn trap(document: &Value, scene: &Scene, member: &Member) -> Compared<()> {
     if last.is_some() { Ok(()) } else { Err(Halt::Open("it chatters before the region")) }
 }
 
-/// An orbit in a region does not make more words of N flights, to the far wall or back to the near one, than are claimed.
+/// An orbit in a region makes at most the claimed number of words of `impacts` flights, each to the far or back to the near wall.
 fn wall_words(document: &Value, walls: &[Wall]) -> Compared<()> {
     let words = &document["words"];
     let (Some(impacts), Some(count)) = (words["impacts"].as_u64(), words["count"].as_str()) else { return Ok(()) };

@@ -36,7 +36,7 @@ thread_local! {
     static CACHED_VALUES: RefCell<HashMap<String, Float>> = RefCell::default();
 }
 
-/// The value, rounded; exactly 0 where the precision does not distinguish it from 0.
+/// The value, rounded; exactly 0 where an enclosure of `BITS` bits does not decide the sign.
 pub fn value(exact: &Exact) -> Float {
     let computed = || {
         let enclosure = exact.enclose(BITS);

@@ -61,7 +61,7 @@ impl<'a> Motion<'a> {
         self.touches += 1;
     }
 
-    /// Returns whether the last bounce is so slow that the rest has come; without a loss of speed none comes.
+    /// Whether the last bounce is so slow that the rest has come; without a loss of speed there is no rest.
     fn has_ended(&self) -> bool {
         if self.shaken.restitution == 1 {
             return false;
@@ -263,7 +263,7 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Checks that it leaves the same wall as before after N cycles, if it is released at all.
+    /// Checks that the ball leaves the same wall again after the claimed number of cycles, if it is released at all.
     fn repeats(&mut self, outcome: &Value, member: &Member) -> Compared<()> {
         let cycles = outcome["period"]["cycles"].as_u64().unwrap_or(0);
         let mut releases = Vec::new();

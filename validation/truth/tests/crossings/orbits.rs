@@ -99,7 +99,7 @@ fn away(member: &Member, claimed_state: &[ClaimedState], found: &[Contact]) -> f
     found.iter().zip(claimed_state.iter().cycle().skip(1)).map(one).fold(0.0, f64::max)
 }
 
-/// Returns whether the true impacts come in other forcing periods than are claimed: then the claimed orbit passes over contacts of its own
+/// Whether the true impacts come in other forcing periods than claimed: then the claimed orbit passes over contacts at its own
 /// phases. `None` where the forcing period of no later impact is given.
 fn is_in_other_turns(member: &Member, claimed_state: &[ClaimedState], found: &[Contact]) -> Option<bool> {
     let (tone, turn) = (reference(&member.tones), float(Constant::Pi) * 2);
@@ -224,8 +224,8 @@ fn is_rotated(a: &[bool], b: &[bool]) -> bool {
     a.len() == b.len() && (0..a.len()).any(|shift| a.iter().cycle().skip(shift).zip(b).all(|(a, b)| a == b))
 }
 
-/// A list that says there are no others: every periodic motion of the word and of N cycles that a run proves must be on it,
-/// those with rests as well, unless the document says that it leaves them out.
+/// A list that claims completeness: every periodic motion of the word and its cycles that a run proves must be listed,
+/// including motions with rests, unless the document states that it leaves them out.
 pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Compared<()> {
     let Ok(word) = document["word"].as_str().unwrap_or_default().parse::<Word>() else {
         return wrong("no word".into());

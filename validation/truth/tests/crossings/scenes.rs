@@ -66,7 +66,7 @@ const ATTRACTED_PAIRS: [[&str; 3]; 6] = [
     ["6/5", "1", "2"],
 ];
 
-/// The first N of these are boxes that move by a gap or so.
+/// Number of leading kinds of boxes that move by about a gap.
 const STRONGLY_SHAKEN: usize = 7;
 
 impl Random {
@@ -229,7 +229,7 @@ fn uncertain(random: &mut Random, parts: &mut Parts) {
     parts.velocity = random.pick(&["cos(pi/5)-cos(2*pi/5)-1/2", "[-1e-13, 1e-13]", "sqrt(2)*sqrt(3)-sqrt(6)"]).into();
 }
 
-/// An extremum, N radians after the start, touches a wall, exactly or nearly.
+/// An extremum at a random phase after the start touches a wall, exactly or nearly.
 fn at_graze(random: &mut Random, parts: &mut Parts) {
     parts.time = random.pick(&["0", "1/3", "1/7"]).into();
     if parts.terms[0].most == "0" {

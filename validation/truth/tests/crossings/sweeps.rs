@@ -27,7 +27,7 @@ fn units(tones: &[Tone], time: &Bounds, phase: &Bounds) -> Units {
     (0..tones.len()).filter(|&number| fits(&tones[number])).collect()
 }
 
-/// Returns whether two bounds of one quantity overlap.
+/// Whether two bounds of one quantity overlap.
 fn meet(a: &Value, b: &Value) -> bool {
     let (Some(a), Some(b)) = (Bounds::read(a), Bounds::read(b)) else { return false };
     a.0 <= b.1 && b.0 <= a.1
