@@ -1,4 +1,4 @@
-//! Errors are for bad questions; verdicts are for hard ones.
+//! Errors for invalid input; undecided questions are verdicts, not errors.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -13,9 +13,9 @@ use impact_pair_exact::{Exact, ExactError};
 #[derive(Clone, Debug)]
 pub struct Error {
     kind: ErrorKind,
-    /// The key of the scene file that is at fault, if it is one.
+    /// The key of the scene file that is at fault, if there is one.
     key: Option<String>,
-    /// Its value, as written.
+    /// The value of the key, as written.
     value: Option<String>,
     /// The place of the value in a file.
     excerpt: Option<Box<Excerpt>>,
@@ -69,33 +69,33 @@ impl Error {
         Self { kind, key: None, value: None, excerpt: None, message, cause: None }
     }
 
-    /// Returns what the error is about.
+    /// The kind of input that the error is about.
     pub fn kind(&self) -> ErrorKind {
         self.kind
     }
 
-    /// Returns the key of the scene file that is at fault, such as `pair.gap`, when it is one.
+    /// The key of the scene file that is at fault, such as `pair.gap`, if there is one.
     pub fn key(&self) -> Option<&str> {
         self.key.as_deref()
     }
 
-    /// Returns the value at fault, as written, if it belongs to a key.
+    /// The value at fault, as written, if it belongs to a key.
     pub fn value(&self) -> Option<&str> {
         self.value.as_deref()
     }
 
-    /// Returns the line of the scene file that is at fault, when it is one.
+    /// The line of the scene file that is at fault, if there is one.
     pub fn excerpt(&self) -> Option<&Excerpt> {
         self.excerpt.as_deref()
     }
 
-    /// The error with the line that its value stands on, unless that is known.
+    /// Adds the line of the value, unless a line is known.
     pub(crate) fn at(mut self, excerpt: Excerpt) -> Self {
         self.excerpt.get_or_insert_with(|| Box::new(excerpt));
         self
     }
 
-    /// The error with what was perhaps meant.
+    /// Adds a suggestion to the message.
     #[must_use]
     pub fn meant(mut self, meant: Option<String>) -> Self {
         if let Some(meant) = meant {
@@ -104,51 +104,51 @@ impl Error {
         self
     }
 
-    /// Returns the error with its source, which the message includes.
+    /// Adds the underlying error, which the message includes.
     pub fn because(self, cause: impl error::Error + Send + Sync + 'static) -> Self {
         Self { cause: Some(Arc::new(cause)), ..self }
     }
 
-    /// Returns the error of a text that is not a scene file.
+    /// Error of a text that is not a scene file.
     pub fn scene(message: String) -> Self {
         Self::new(ErrorKind::Scene, message)
     }
 
-    /// Returns the error of a text that is not a certificate.
+    /// Error of a text that is not a certificate.
     pub fn certificate(message: String) -> Self {
         Self::new(ErrorKind::Certificate, message)
     }
 
-    /// Returns the error of a text that is not a list of impacts.
+    /// Error of a text that is not a list of impacts.
     pub fn list(message: String) -> Self {
         Self::new(ErrorKind::List, message)
     }
 
-    /// Returns the error of a value of a scene file that is not of the accepted kind.
+    /// Error of a value of a scene file that is not of the accepted kind.
     pub fn entry(key: &str, written: &str, accepted: &str) -> Self {
         let message = format!("{key} is {written}, but {accepted}");
         Self { key: Some(key.to_owned()), value: Some(written.to_owned()), ..Self::scene(message) }
     }
 
-    /// Returns the error of a value that is not accepted at its key.
+    /// Error of a value that is not accepted at its key.
     pub fn range(key: &str, value: &Exact, accepted: &str) -> Self {
         let value = value.to_string();
         let message = format!("{key} is {}, but {accepted}", shown(&value));
         Self { key: Some(key.to_owned()), value: Some(value), ..Self::new(ErrorKind::OutOfRange, message) }
     }
 
-    /// Returns the error of a request that is not supported; `key` is the key of the scene file at fault, if any.
+    /// Error of a request that is not supported; `key` is the key of the scene file at fault, if any.
     pub fn out_of_range<'k>(key: impl Into<Option<&'k str>>, message: String) -> Self {
         Self { key: key.into().map(str::to_owned), ..Self::new(ErrorKind::OutOfRange, message) }
     }
 
-    /// Returns the error of several harmonics where `what` is supported for one only.
+    /// Error of several harmonics where `what` requires a single harmonic.
     pub fn several(harmonics: usize, what: &str) -> Self {
         let message = format!("the excitation has {harmonics} harmonics, but {what} requires a single one");
         Self::out_of_range("excitation.amplitude", message)
     }
 
-    /// Returns the error of a malformed word of mappings.
+    /// Error of a malformed word of mappings.
     pub fn word(message: String) -> Self {
         Self::new(ErrorKind::Word, message)
     }
@@ -183,26 +183,26 @@ impl Error {
     }
 }
 
-/// Returns what messages show of a value: the beginning of its first line.
+/// The part of a value that messages show: the beginning of its first line.
 pub(crate) fn shown(written: &str) -> String {
     const LONGEST: usize = 60;
     let shown: String = written.lines().next().unwrap_or_default().chars().take(LONGEST).collect();
     if shown.len() < written.trim_end().len() { shown + "..." } else { shown }
 }
 
-/// Returns whether `value`, or every value of an interval, is proved to be at least `low`.
+/// Whether `value`, or every value of an interval, is proved to be at least `low`.
 pub(crate) fn is_at_least(value: &Exact, low: i64) -> bool {
     let lowest = value.lower().unwrap_or_else(|| value.clone());
     matches!(lowest.compare(&Exact::from(low)), Some(Ordering::Greater | Ordering::Equal))
 }
 
-/// Returns whether `value`, or every value of an interval, is proved to be at most `high`.
+/// Whether `value`, or every value of an interval, is proved to be at most `high`.
 pub(crate) fn is_at_most(value: &Exact, high: i64) -> bool {
     let highest = value.upper().unwrap_or_else(|| value.clone());
     matches!(highest.compare(&Exact::from(high)), Some(Ordering::Less | Ordering::Equal))
 }
 
-/// Returns a value computed from `of`, the value at `key`.
+/// The value computed from `of`, the value at `key`; an error that names `key` if there is none.
 ///
 /// # Errors
 /// If it exceeds the range of exact expressions.

@@ -34,12 +34,12 @@ pub enum EventKind<B> {
 pub struct Miss<B> {
     /// Distance by which the wall is missed at the extremum of the flight \[length\], negative where the extremum lies beyond the wall.
     pub distance: B,
-    /// Speed at which the wall is touched, if it is \[length/time\]: from 0 to an upper bound.
+    /// Speed at which the wall may be touched \[length/time\]: from 0 to an upper bound.
     pub speed: B,
 }
 
 impl<B> EventKind<B> {
-    /// Returns whether the ball hits the wall.
+    /// Whether the event is an impact.
     pub fn is_impact(&self) -> bool {
         matches!(self, Self::Impact { .. })
     }

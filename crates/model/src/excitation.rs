@@ -10,8 +10,8 @@ use impact_pair_exact::{Exact, ExactError};
 
 /// The displacement of the box: one harmonic or several. **Equations** (1), (9)
 ///
-/// Terms that do not move the box are dropped, and terms with equal frequency and phase are added: the result
-/// are the [`harmonics`](Self::harmonics), the fastest first. With a single harmonic the motion is that of
+/// Terms that do not move the box are dropped, and terms with equal frequency and phase are added: the sums are
+/// the [`harmonics`](Self::harmonics), the fastest first. With a single harmonic the motion is that of
 /// equation (9) and costs no more.
 ///
 /// ```
@@ -26,12 +26,12 @@ use impact_pair_exact::{Exact, ExactError};
 pub struct Excitation {
     terms: Vec<Harmonic>,
     harmonics: Vec<Harmonic>,
-    /// The number from 0 of the first term of the fastest harmonic.
+    /// Index of the first term of the fastest harmonic.
     fastest: usize,
 }
 
 impl Excitation {
-    /// Returns the sum of these harmonics.
+    /// The sum of the given harmonics.
     ///
     /// # Errors
     /// If there is none, or a sum of amplitudes exceeds the range of exact expressions.
@@ -63,27 +63,27 @@ impl Excitation {
         Ok(Self { terms, harmonics, fastest: numbers[fastest] })
     }
 
-    /// Returns the terms as given.
+    /// The terms as given.
     pub fn terms(&self) -> &[Harmonic] {
         &self.terms
     }
 
-    /// Returns the distinct harmonics that move the box, the fastest first; one of zero amplitude if none does.
+    /// The distinct harmonics that move the box, the fastest first; a harmonic of zero amplitude if none moves the box.
     pub fn harmonics(&self) -> &[Harmonic] {
         &self.harmonics
     }
 
-    /// Returns the fastest harmonic: its period is the forcing period; phases are `W t + tau` of it.
+    /// The fastest harmonic: its period is the forcing period, and phases are its `W t + tau`.
     pub fn reference(&self) -> &Harmonic {
         &self.harmonics[0]
     }
 
-    /// Returns the number, from 0, of the term that is the [reference](Self::reference); the first of several with equal frequency and phase.
+    /// Index of the [reference](Self::reference) among the terms; the first of several terms with equal frequency and phase.
     pub fn reference_term(&self) -> usize {
         self.fastest
     }
 
-    /// Returns the harmonic, if there is only one.
+    /// The harmonic, if there is only one.
     pub fn only(&self) -> Option<&Harmonic> {
         match self.harmonics.as_slice() {
             [only] => Some(only),
@@ -91,7 +91,7 @@ impl Excitation {
         }
     }
 
-    /// Returns the number, from 0, of the harmonic of a term that moves the box, and the total amplitude of the other terms in it, if
+    /// Index of the harmonic of a term that moves the box, and the total amplitude of the other terms in that harmonic, if
     /// any; `None` if intervals leave the harmonic undecided, or the amplitude exceeds the range of exact expressions.
     pub fn harmonic_of(&self, term: &Harmonic) -> Option<(usize, Option<Exact>)> {
         let number = match self.only() {
@@ -102,7 +102,7 @@ impl Excitation {
         Some((number, (others.sign() != Some(Ordering::Equal)).then_some(others)))
     }
 
-    /// Returns whether no parameter is an interval.
+    /// Whether no parameter is an interval.
     pub fn is_point(&self) -> bool {
         self.terms.iter().all(Harmonic::is_point)
     }
@@ -114,20 +114,20 @@ impl From<Harmonic> for Excitation {
     }
 }
 
-/// Returns whether two harmonics are proved to have one frequency, and phases that differ by a multiple of `2 pi`.
+/// Whether two harmonics are proved to have one frequency, and phases that differ by a multiple of `2 pi`.
 fn are_in_step(a: &Harmonic, b: &Harmonic) -> bool {
     let turns = || -> Result<Exact, ExactError> {
         let turn = Exact::pi() * Exact::from(2);
         a.phase().checked_sub(b.phase())?.checked_div(&turn)
     };
-    // Two intervals of one text are not one value.
+    // Two intervals with the same text need not have the same value.
     let are_points = [a.frequency(), b.frequency(), a.phase(), b.phase()].into_iter().all(Exact::is_point);
     are_points
         && a.frequency().compare(b.frequency()) == Some(Ordering::Equal)
         && turns().is_ok_and(|turns| turns.as_rational().is_some_and(|turns| turns.is_integer()))
 }
 
-/// The harmonic of the highest frequency; of intervals that overlap, by their middles.
+/// Index of the harmonic of the highest frequency; intervals that overlap are compared by their middles.
 fn fastest(harmonics: &[Harmonic]) -> usize {
     let middle = |harmonic: &Harmonic| harmonic.frequency().enclose(64).mid_rad().0;
     let faster = |a: &Harmonic, b: &Harmonic| match a.frequency().compare(b.frequency()) {

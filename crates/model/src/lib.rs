@@ -1,8 +1,8 @@
 //! The horizontal impact pair in exact numbers: the input of every computation.
 //!
-//! The pair of figure 1 with its excitation (1), (9), the start, the mappings P1-P4 (24)-(27) and words of them, how far an
-//! orbit is followed, and the scene file that specifies them all. Parameters are exact reals or intervals of values; nothing is
-//! rounded. The library that computes and the crate that checks certificates both depend on this crate, and share nothing else.
+//! The pair of figure 1 with its excitation (1), (9), the start, the mappings P1-P4 (24)-(27) and words of mappings, the
+//! settings of an orbit, and the scene file that specifies them all. Parameters are exact reals or intervals of values; nothing is
+//! rounded. The library that computes and the crate that checks certificates share only this crate.
 
 mod error;
 mod event;

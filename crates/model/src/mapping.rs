@@ -23,7 +23,7 @@ pub enum Mapping {
 }
 
 impl Mapping {
-    /// Returns the mapping of a flight from one wall to another or to itself.
+    /// The mapping of a flight from one wall to another or to itself.
     pub fn between(from: Wall, to: Wall) -> Self {
         match (from, to) {
             (Wall::Right, Wall::Left) => Self::P1,
@@ -33,7 +33,7 @@ impl Mapping {
         }
     }
 
-    /// Returns the walls of departure and arrival.
+    /// The walls of departure and arrival.
     pub fn walls(self) -> (Wall, Wall) {
         match self {
             Self::P1 => (Wall::Right, Wall::Left),
@@ -79,7 +79,7 @@ fn not_a_word(text: &str) -> Error {
 pub struct Word(Vec<Mapping>);
 
 impl Word {
-    /// Returns the word of these mappings, given in time order.
+    /// The word of the given mappings in time order.
     ///
     /// # Errors
     /// If a mapping does not start on the wall where the previous one ended, or there is none.
@@ -92,12 +92,12 @@ impl Word {
         Ok(word)
     }
 
-    /// Returns the mappings in time order.
+    /// The mappings in time order.
     pub fn mappings(&self) -> &[Mapping] {
         &self.0
     }
 
-    /// Returns whether the word can be repeated: it ends on the wall it starts from.
+    /// Whether the word can be repeated: it ends on the wall from which it starts.
     pub fn is_closed(&self) -> bool {
         self.0.first().map(|m| m.walls().0) == self.0.last().map(|m| m.walls().1)
     }

@@ -17,7 +17,7 @@ pub enum Wall {
 }
 
 impl Wall {
-    /// Returns the opposite wall.
+    /// The opposite wall.
     pub fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -25,7 +25,7 @@ impl Wall {
         }
     }
 
-    /// Returns `left` or `right`.
+    /// `left` or `right`
     pub fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -33,7 +33,7 @@ impl Wall {
         }
     }
 
-    /// Returns `1` for the left wall, `-1` for the right one: the direction away from the wall.
+    /// `1` for the left wall, `-1` for the right wall: the direction away from the wall.
     #[inline(always)]
     pub fn sign(self) -> f64 {
         match self {
@@ -42,7 +42,7 @@ impl Wall {
         }
     }
 
-    /// Returns what mirroring adds to the phase, in forcing periods.
+    /// The phase that mirroring to the left wall adds, in forcing periods.
     #[inline(always)]
     pub fn mirror_phase(self) -> f64 {
         match self {
@@ -69,7 +69,7 @@ pub struct ImpactPair {
 }
 
 impl ImpactPair {
-    /// Returns a pair with this excitation, gap `d > 0` \[length\] and restitution `0 <= e <= 1`.
+    /// A pair with this excitation, gap `d > 0` \[length\] and restitution `0 <= e <= 1`.
     ///
     /// # Errors
     /// If a value is out of range, or cannot be proved to be in range.
@@ -79,30 +79,30 @@ impl ImpactPair {
         Ok(Self { excitation: excitation.into(), gap, restitution })
     }
 
-    /// Returns the excitation (1).
+    /// The excitation (1).
     pub fn excitation(&self) -> &Excitation {
         &self.excitation
     }
 
-    /// Returns the excitation (9) of a pair with one harmonic.
+    /// The excitation (9) of a pair with one harmonic.
     ///
     /// # Errors
-    /// If there are several: `what` requires a single one.
+    /// If there are several harmonics: `what` requires a single one.
     pub fn harmonic(&self, what: &str) -> Result<&Harmonic, Error> {
         self.excitation.only().ok_or_else(|| Error::several(self.excitation.harmonics().len(), what))
     }
 
-    /// Returns the gap `d` \[length\].
+    /// The gap `d` \[length\].
     pub fn gap(&self) -> &Exact {
         &self.gap
     }
 
-    /// Returns the coefficient of restitution `e`.
+    /// The coefficient of restitution `e`.
     pub fn restitution(&self) -> &Exact {
         &self.restitution
     }
 
-    /// Returns whether no parameter is an interval.
+    /// Whether no parameter is an interval.
     pub fn is_point(&self) -> bool {
         self.excitation.is_point() && self.gap.is_point() && self.restitution.is_point()
     }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage<'s> {
-    /// The computation is between two steps; nothing countable is new.
+    /// Work between two steps, with no new count.
     Working,
     /// A part of the computation begins, of this name.
     Part(&'s str),
@@ -22,9 +22,9 @@ pub enum Stage<'s> {
     },
     /// Cells of the state space are searched for periodic orbits.
     Cells {
-        /// Cells that are done.
+        /// Number of cells that are done.
         done: usize,
-        /// All of them.
+        /// Number of all cells.
         of: usize,
     },
     /// A trapping region has `.0` boxes so far.
@@ -35,9 +35,9 @@ pub enum Stage<'s> {
     Cycles {
         /// The period: the number of impacts.
         impacts: usize,
-        /// Blocks of the region that are done.
+        /// Number of blocks of the region that are done.
         blocks: usize,
-        /// All of them.
+        /// Number of all blocks.
         of: usize,
     },
     /// Covering relations are proved.
@@ -55,18 +55,18 @@ pub enum Stage<'s> {
     Searched(u64),
     /// Windows of stable periodic orbits are proved.
     Windows {
-        /// Orbits that are done.
+        /// Number of orbits that are done.
         proved: usize,
-        /// All of them.
+        /// Number of all orbits.
         of: usize,
     },
     /// `.0` pieces of unstable manifolds are searched for homoclinic tangencies.
     Folds(u64),
     /// Homoclinic tangencies are proved.
     Tangencies {
-        /// Those that are done.
+        /// Number of tangencies that are done.
         proved: usize,
-        /// All of them.
+        /// Number of all tangencies.
         of: usize,
     },
     /// `.0` claims of a document are confirmed.
@@ -85,10 +85,10 @@ pub enum Stage<'s> {
 /// assert_eq!(watch.proceed(Stage::Region(2000)), ControlFlow::Break(()));
 /// ```
 pub trait Watch: Sync {
-    /// Returns whether the computation continues, after its progress.
+    /// Reports progress; returns whether the computation continues.
     fn proceed(&self, at: Stage<'_>) -> ControlFlow<()>;
 
-    /// Returns whether the computation continues, where nothing countable is new.
+    /// Whether the computation continues, without a report of progress.
     fn goes_on(&self) -> bool {
         self.proceed(Stage::Working).is_continue()
     }
@@ -105,7 +105,7 @@ impl<F: Fn(Stage<'_>) -> ControlFlow<()> + Sync> Watch for F {
     }
 }
 
-/// Returns the answer of a [`Watch`] from whether the computation continues.
+/// The answer of a [`Watch`], from whether the computation continues.
 pub fn proceed_if(goes_on: bool) -> ControlFlow<()> {
     if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
 }
@@ -120,7 +120,7 @@ impl Watch for Unwatched {
     }
 }
 
-/// A watch without progress: only whether to continue.
+/// A watch that hides progress and only decides whether to continue.
 pub struct Silent<'w>(pub &'w dyn Watch);
 
 impl Watch for Silent<'_> {
@@ -129,7 +129,7 @@ impl Watch for Silent<'_> {
     }
 }
 
-/// A watch that stays stopped once it has stopped, and knows it.
+/// A watch that stays stopped once it has stopped.
 pub struct Latched<'w> {
     watch: &'w dyn Watch,
     is_stopped: AtomicBool,
@@ -141,7 +141,7 @@ impl<'w> Latched<'w> {
         Self { watch, is_stopped: AtomicBool::new(false) }
     }
 
-    /// Returns whether it has stopped; the watch is not called.
+    /// Whether the watch has stopped, without calling it.
     pub fn is_stopped(&self) -> bool {
         self.is_stopped.load(Ordering::Relaxed)
     }

@@ -10,18 +10,18 @@ pub(super) struct Tally {
     most: u32,
     open: Option<Finding>,
     confirmed: usize,
-    /// Points that are confirmed one after another from the first one on.
+    /// Number of points that are confirmed without a gap from the first point on.
     certain: usize,
 }
 
-/// The verdict on all points, and how many are confirmed one after another from the first one on.
+/// The verdict on all points, and how many points are confirmed without a gap from the first point on.
 pub(super) type Found = (Verdict, usize);
 
 impl Tally {
-    /// Notes the verdict on a claim of a point.
+    /// Records the verdict on a claim of a point.
     ///
     /// # Errors
-    /// The verdict on all of them, where no more are to be judged.
+    /// The verdict on all points, if no more points are to be checked.
     pub fn note(&mut self, event: usize, verdict: Verdict) -> Result<(), Found> {
         match verdict {
             Verdict::Confirmed { bits, .. } => {
@@ -44,7 +44,7 @@ impl Tally {
         watch.note(Stage::Claims(event + 1));
     }
 
-    /// Returns the verdict on all claims, of which there are N of a kind, at points of which some may be missing.
+    /// The verdict on all claims: `claims` claims of the kind `what` at `points` points, of which `missing` may be missing.
     pub fn verdict(self, (claims, what): (usize, &str), points: usize, missing: u64) -> Found {
         let Self { most, open, confirmed, certain } = self;
         let undecided = |event, message: String| Verdict::Undecided(Finding { event, message });
@@ -63,7 +63,7 @@ impl Tally {
     }
 }
 
-/// A point is the one of the grid that it is said to be: its document does not contradict itself, and its values are those of the grid.
+/// Proves that a point has its place in the grid: its document does not contradict itself, and its values are values of the grid.
 pub(super) fn is_placed(contradiction: Option<&str>, is_of_grid: Option<bool>) -> Result<(), Doubt> {
     match (contradiction, is_of_grid) {
         (Some(message), _) => Err(Doubt::False(message.to_owned())),

@@ -35,8 +35,8 @@ pub enum Key {
     Restitution,
     /// The time of the start.
     StartTime,
-    /// `W t + tau` at the start, instead of its time; with the scene's own W and tau (for several harmonics those
-    /// of the fastest) unless these vary as well.
+    /// `W t + tau` at the start, instead of the start's time; with the scene's own W and tau (for several harmonics those
+    /// of the fastest harmonic) unless W or tau vary as well.
     StartPhase,
     /// The relative displacement at a start inside the gap.
     StartPosition,
@@ -45,7 +45,7 @@ pub enum Key {
 }
 
 impl Key {
-    /// All of them without the numbers of terms, parameters first: in the order in which they take effect.
+    /// All keys without the numbers of terms, parameters first: in the order in which they take effect.
     pub const ALL: [Self; 9] = [
         Self::Amplitude(None),
         Self::Frequency(None),
@@ -58,7 +58,7 @@ impl Key {
         Self::StartVelocity,
     ];
 
-    /// Returns its path in the scene file: `pair.gap`, `excitation.amplitude.2`.
+    /// The path of the key in the scene file: `pair.gap`, `excitation.amplitude.2`.
     ///
     /// ```
     /// use impact_pair_model::scene::Key;
@@ -74,7 +74,7 @@ impl Key {
         format!("{table}{self}")
     }
 
-    /// Its name without the number of a term.
+    /// The name of the key without the number of a term.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Amplitude(_) => "amplitude",
@@ -89,7 +89,7 @@ impl Key {
         }
     }
 
-    /// Returns the number of the term that it names.
+    /// The number of the term that the key names.
     pub fn term(self) -> Option<Term> {
         match self {
             Self::Amplitude(term) | Self::Frequency(term) | Self::Phase(term) => term,
@@ -97,7 +97,7 @@ impl Key {
         }
     }
 
-    /// Returns the key of the same quantity of a term; `None` if it is not one of a term.
+    /// The key of the same quantity of another term; `None` for a key that is not of a term.
     fn of(self, term: Term) -> Option<Self> {
         match self {
             Self::Amplitude(_) => Some(Self::Amplitude(Some(term))),
@@ -107,14 +107,14 @@ impl Key {
         }
     }
 
-    /// Returns whether both set the same datum of some scene: then they cannot be two axes of a grid.
+    /// Whether both keys set the same datum of some scene: then they cannot be two axes of a grid.
     pub fn is_one_with(self, other: Self) -> bool {
         let is_time = |key| matches!(key, Self::StartTime | Self::StartPhase);
         let is_all = self.term().is_none() || other.term().is_none();
         self == other || (is_all && self.name() == other.name()) || (is_time(self) && is_time(other))
     }
 
-    /// Returns its symbol in the paper, and its unit.
+    /// The symbol of the quantity in the paper, and its unit.
     pub fn symbol(self) -> (String, &'static str) {
         let (symbol, unit) = match self {
             Self::Amplitude(_) => ("A", "length"),
@@ -142,7 +142,7 @@ fn not_a_key(text: &str) -> Error {
 }
 
 impl Key {
-    /// The name of the key that is perhaps meant by one that is none, such as `restitution` by `e`.
+    /// The name of the key that an unknown text resembles, such as `restitution` for `e`.
     pub fn meant(text: &str) -> Option<&'static str> {
         let names = Self::ALL.map(Self::name);
         nearest(text, &names).or_else(|| {
@@ -153,7 +153,7 @@ impl Key {
 }
 
 impl fmt::Display for Key {
-    /// Its name in messages and in what is written.
+    /// The name in messages and outputs.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())?;
         self.term().map_or(Ok(()), |term| write!(f, ".{term}"))
@@ -163,7 +163,7 @@ impl fmt::Display for Key {
 impl FromStr for Key {
     type Err = Error;
 
-    /// The table of a parameter (`pair.gap`) may be left out, that of the start may not.
+    /// The table of a parameter (`pair.gap`) may be left out, the table `start` may not.
     fn from_str(text: &str) -> Result<Self, Error> {
         let short = text.strip_prefix("excitation.").or_else(|| text.strip_prefix("pair.")).unwrap_or(text);
         let named = |name: &str| Self::ALL.into_iter().find(|key| key.name() == name);

@@ -16,17 +16,17 @@ use crate::check::frame::hull;
 use crate::tangency::{ClaimedSides, ClaimedTangency};
 use impact_pair_exact::{Dyadic, Real};
 
-/// The longest word.
+/// The greatest length of a word.
 pub(super) const MAX_WORD_LENGTH: usize = 200;
 /// Number of bisections of the curve of common points.
 const BISECTIONS: u32 = 8;
 
-/// Returns the interval of these bounds.
+/// The interval between two bounds.
 pub(super) fn all(bounds: &Bounds) -> Real {
     hull(&bounds.each_ref().map(|bound| Real::rational(bound, BITS)))
 }
 
-/// Bounds half as wide again, and more than rounding adds.
+/// Bounds half as wide again, and by more than rounding adds.
 pub(super) fn wider(x: &Real) -> Real {
     let least = Real::within(&Dyadic::power_of_two(16 - i64::from(BITS)), BITS); // V31: a larger set is as sound
     x.clone() + &(x.clone() - &x.middle()).half() + &least
@@ -45,16 +45,16 @@ struct Curve<'c, 'b> {
     chain: Chain<'b>,
     system: System,
     two: Real,
-    /// The two points are for values of the parameter that are less than that of the tangency.
+    /// True if the two points occur for values of the parameter below the tangency's value.
     is_below: bool,
     /// Half the width of the other datum.
     spread: Real,
-    /// Bounds of all that is claimed and of all areas that are looked at.
+    /// Bounds of all claims and of all areas that are examined.
     bounds: Vec<Real>,
 }
 
 impl ClaimedTangency {
-    /// The common points beside it are as many as claimed, in the boxes that are claimed. Lemma V31
+    /// Proves the claimed number of common points on both sides of the tangency, in the claimed boxes. Lemma V31
     pub(super) fn has_sides(
         &self,
         sides: &ClaimedSides,
@@ -76,7 +76,7 @@ impl ClaimedTangency {
         let chain =
             Chain::new(letters.to_vec(), (setting.is_restitution(), whole), &near, budget.clone()).map_err(unproved)?;
         let spread = Area::of(&bounds).radii[OTHER].clone();
-        // The tangency, phases as the boxes have them.
+        // The tangency, with phases as in the boxes.
         let mut values = at.clone().map(|x| x.at(BITS)).to_vec();
         values.push(other);
         for ([phase, speed], own) in shot.states[1..count].iter().zip(bounds[STATES..].chunks(2)) {
@@ -101,7 +101,7 @@ impl ClaimedTangency {
     }
 }
 
-/// A doubt about orbits other than the claimed ones leaves the claim open.
+/// Turns a refutation into an undecided claim: it may concern other orbits than the claimed ones.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(format!("beside the tangency: {message}")),
@@ -109,7 +109,7 @@ fn unproved(doubt: Doubt) -> Doubt {
 }
 
 impl Curve<'_, '_> {
-    /// The whole curve, from one end of `sigma_u` to the other: at both the parameter is beyond the range with two points.
+    /// Proves the whole curve, from one end of `sigma_u` to the other; at both ends the parameter is beyond the range with two points.
     fn is_proved(&mut self, near: Vec<Real>, ends: &[Real; 2]) -> Result<(), Doubt> {
         for end in ends {
             let found = self.found(near.clone(), [end, end])?;
@@ -124,7 +124,7 @@ impl Curve<'_, '_> {
         if self.is_below { parameter.is_below(&self.two) } else { self.two.is_below(parameter) }
     }
 
-    /// The common points for all values of `sigma_u` between two.
+    /// The common points for all values of `sigma_u` between `low` and `high`.
     fn found(&mut self, near: Vec<Real>, [low, high]: [&Real; 2]) -> Result<Found, Doubt> {
         let mut at = near;
         at[UNSTABLE] = low.hull(high).middle();
@@ -136,8 +136,8 @@ impl Curve<'_, '_> {
         Ok(found)
     }
 
-    /// Returns whether all tangencies of a piece of the curve unfold as the claimed one, and whether its states are in the boxes where its
-    /// parameter may be in the range with two points.
+    /// Whether all tangencies of a piece of the curve unfold as the claimed tangency, and whether the states of the piece are in the boxes
+    /// where its parameter may be in the range with two points.
     fn is_as_claimed(&self, found: &Found) -> bool {
         let claimed = [&self.claim.quadratic, &self.claim.unfolding];
         let is_alike = |(own, [low, _]): (&Real, &Bounds)| {

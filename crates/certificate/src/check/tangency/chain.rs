@@ -18,13 +18,13 @@ use impact_pair_exact::Real;
 
 /// The equations over an area.
 pub(super) struct AreaEquations {
-    /// Their values at the centre: two of each flight, and the determinant of both tangents.
+    /// The equations' values at the centre: two of each flight, and the determinant of both tangents.
     pub residual: Vec<Real>,
-    /// The derivatives of each by the values that it depends on.
+    /// The derivatives of each equation by the values that it depends on.
     pub rows: Vec<Row>,
     /// `q` and `m`.
     pub unfolding: [Real; 2],
-    /// Speeds before the impacts, and the durations of flights, those of the manifolds among them.
+    /// Speeds before the impacts, and the durations of flights, those of the manifolds included.
     pub speeds: Vec<Real>,
     pub times: Vec<Real>,
 }
@@ -32,21 +32,21 @@ pub(super) struct AreaEquations {
 /// The flights of a word between the manifolds.
 pub(super) struct Chain<'b> {
     letters: Vec<Letter>,
-    /// The parameter is `e`, the other datum `D`.
+    /// True if the parameter is `e` and the other datum is `D`; else exchanged.
     is_restitution: bool,
     budget: Budget<'b>,
-    /// A phase near that of the saddle.
+    /// A phase near the phase of the saddle.
     near: Real,
     /// Intervals of the parameter, and of the other datum, over which the manifolds are proved to be analytic.
     whole: [Real; 2],
     domains: [[Domain; 2]; 2],
-    /// Approximate durations of flights, and whole forcing periods by which states are earlier than the flights say.
+    /// Approximate durations of flights, and whole forcing periods that are taken off the ends of flights.
     times: Vec<Real>,
     turns: Vec<i64>,
 }
 
 impl<'b> Chain<'b> {
-    /// Returns the flights of a word for these values of the parameter and of the other datum, near a saddle.
+    /// The flights of a word for these values of the parameter and of the other datum, near a saddle.
     pub fn new(
         letters: Vec<Letter>,
         (is_restitution, whole): (bool, [Real; 2]),
@@ -67,7 +67,7 @@ impl<'b> Chain<'b> {
         Family { is_restitution: self.is_restitution != is_by_other, other: fixed }
     }
 
-    /// The jets of an end over such values of both data.
+    /// The jets of an end over values of both data.
     fn jets(&self, side: Side, sigma: &Real, data: [&Real; 2], is_by_other: bool) -> Result<(State, Vector), Doubt> {
         let lost = || Doubt::open("the parameter of an invariant manifold is too far from the saddle");
         let [varied, fixed] = if is_by_other { [data[1], data[0]] } else { data };
@@ -118,13 +118,13 @@ impl<'b> Chain<'b> {
         })
     }
 
-    /// The law of flights, parameter and other datum their coordinates.
+    /// The law of flights, with the parameter and the other datum as coordinates.
     fn law(&self, area: &Area) -> Result<Law, Doubt> {
         let [parameter, other] = [area.varied(PARAMETER, PARAMETER_COORDINATE), area.varied(OTHER, OTHER_COORDINATE)];
         known(Law::of_both(self.is_restitution, parameter, other))
     }
 
-    /// Returns the equations over an area, all flights from its states proved to be first contacts.
+    /// The equations over an area; all flights from its states are proved to be first contacts.
     pub fn over(&mut self, area: &Area) -> Result<AreaEquations, Doubt> {
         let law = self.law(area)?;
         let ends = [self.end(Side::Unstable, area)?, self.end(Side::Stable, area)?];
@@ -161,7 +161,7 @@ impl<'b> Chain<'b> {
         Ok(AreaEquations { residual, rows, unfolding, speeds, times })
     }
 
-    /// Flight `k` from all states near one, proved to end at its first contact.
+    /// Flight `k` from all states of a box, proved to end at its first contact.
     fn flown(&mut self, law: &Law, near: &StateBox, k: usize) -> Result<Flown, Doubt> {
         if self.budget.is_spent() {
             return Err(Doubt::open("the work that is allowed is spent"));
@@ -191,7 +191,7 @@ impl<'b> Chain<'b> {
         let turns = Real::pi(BITS) * 2 * self.turns[k];
         let nexts = if is_last { last.states[0].clone() } else { area.hull(place) };
         let apart = jets[0].value(BITS).hull() - &nexts - &turns;
-        // V31: of no other whole number of forcing periods are there zeros
+        // V31: for no other whole number of forcing periods are there zeros
         if !size(&apart).is_below(&Real::int(6, BITS)) {
             return Err(Doubt::open("the bounds of a state are too wide"));
         }
@@ -199,14 +199,14 @@ impl<'b> Chain<'b> {
     }
 }
 
-/// The states in which a flight begins: a centre and radii of phase and speed.
+/// The states at the beginning of a flight: centre and radii of phase and speed.
 struct StateBox {
     at: Vector,
     radii: [Real; 2],
 }
 
 impl StateBox {
-    /// Returns the states of flight `k`: the first one begins on the unstable manifold.
+    /// The states of flight `k`: the first flight begins on the unstable manifold.
     fn of(area: &Area, first: &End, k: usize) -> Self {
         match k {
             0 => Self {
@@ -223,7 +223,7 @@ impl StateBox {
         }
     }
 
-    /// Returns them as coordinates.
+    /// The states as coordinates.
     fn state(&self) -> State {
         let varied = |i: usize| Some(Affine::varied(self.at[i].clone(), self.radii[i].enclosure().sup().clone(), i));
         let unit = || Some(Affine::fixed(Real::int(1, BITS)));

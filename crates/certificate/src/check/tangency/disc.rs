@@ -1,8 +1,8 @@
-//! Discs of complex numbers around real ones: enough for suprema of analytic functions.
+//! Discs of complex numbers around real numbers, for suprema of analytic functions.
 
 use impact_pair_exact::Real;
 
-/// All complex numbers at most `radius` away from some member of `centre`.
+/// All complex numbers within `radius` of a member of `centre`.
 #[derive(Clone, Debug)]
 pub(super) struct Disc {
     centre: Real,
@@ -19,12 +19,12 @@ impl Disc {
         Self { centre, radius: most(&radius) }
     }
 
-    /// Returns an upper bound of the absolute values.
+    /// Upper bound of the absolute values.
     pub fn mag(&self) -> Real {
         most(&(most(&self.centre) + &self.radius))
     }
 
-    /// Returns a lower bound of the absolute values; not positive where 0 may be a member.
+    /// Lower bound of the absolute values; not positive where 0 may be a member.
     pub fn mig(&self) -> Real {
         let least = Real::point(self.centre.enclosure().mig(), self.centre.bits()) - &self.radius;
         least.ends()[0].clone()
@@ -49,7 +49,7 @@ impl Disc {
         Self::new(self.centre.clone() * factor, self.radius.clone() * &most(factor))
     }
 
-    /// 1 over it: `1/b - 1/b0 = (b0 - b)/(b b0)`; `None` where it may be 0.
+    /// The reciprocals: `1/b - 1/b0 = (b0 - b)/(b b0)`; `None` where 0 may be a member.
     pub fn inverse(&self) -> Option<Self> {
         let (least, bits) = (self.mig(), self.centre.bits());
         if !least.is_positive() {
@@ -60,7 +60,7 @@ impl Disc {
         Some(Self::new(one.over(&self.centre)?, self.radius.over(&(nearest * &least))?))
     }
 
-    /// Sine and cosine, of a radius of at most 1 (Lemma V18): `abs(sin d) <= sinh r <= r + r^3/5`,
+    /// Sine and cosine, for a radius of at most 1 (Lemma V18): `abs(sin d) <= sinh r <= r + r^3/5`,
     /// `abs(cos d - 1) <= cosh r - 1 <= r^2/2 + r^4/20`.
     pub fn sin_cos(&self) -> Option<(Self, Self)> {
         let (r, bits) = (&self.radius, self.centre.bits());

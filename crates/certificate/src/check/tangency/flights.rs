@@ -11,9 +11,9 @@ use crate::check::shaking::{Shaking, Term};
 use impact_pair_exact::{Enclosure, Real};
 use impact_pair_model::Wall;
 
-/// Bits that guesses are refined with.
+/// Bits in which guesses are refined.
 const GUESS_BITS: u32 = 128;
-/// Steps of a guess, and how many there are at most.
+/// Steps per radian of a guess, and the greatest number of steps.
 const STEPS_PER_RADIAN: f64 = 64.0;
 const MAX_STEPS: u32 = 1 << 14;
 const HALVINGS: u32 = 40;
@@ -44,7 +44,7 @@ pub(super) struct Launch<'b> {
 const FROM_WALL: Start = Start { wall: Some(Wall::Left), is_release: false };
 
 impl<'b> Launch<'b> {
-    /// Returns the flights from impacts with these phases and speeds.
+    /// The flights from impacts with these phases and speeds.
     pub fn new([gap, e]: [&Real; 2], [phase, speed]: [&Real; 2], budget: &Budget<'b>) -> Self {
         let bits = e.bits();
         let term =
@@ -60,8 +60,8 @@ impl<'b> Launch<'b> {
         Self { flight }
     }
 
-    /// Returns the duration of all flights up to the first contact, which is proved to be with the wall of the letter; a flight that is
-    /// proved to end on the other wall refutes the word.
+    /// Encloses the duration of all flights up to the first contact, which is proved to be with the wall of the letter. A proof that
+    /// the flights end on the other wall refutes the word.
     pub fn first(&self, letter: Letter, guess: &Real) -> Result<Real, Doubt> {
         let claimed = |guess: &Real| Claimed {
             from: Real::zero(self.flight.bits()),
@@ -81,18 +81,18 @@ impl<'b> Launch<'b> {
         }
     }
 
-    /// Returns whether each flight has no other contact up to this time: the ball moves towards the wall of its contact all the while.
+    /// Whether no flight has another contact between the two times: the ball moves towards the wall of its contact all the while.
     pub fn is_only(&self, contact: &Real, other: &Real) -> bool {
         !self.flight.slope(&contact.hull(other)).is_across()
     }
 
-    /// The contact of the flight of the middle, which a bracket of all contacts contains.
+    /// The contact of the middle's flight, which a bracket of all contacts contains.
     fn within(&self, letter: Letter, bracket: Real) -> Real {
         contract(&self.flight, letter.wall(), bracket)
     }
 }
 
-/// Returns about when a flight ends: the first of small steps at whose end the ball is beyond a wall. Non-rigorous.
+/// Approximate end of a flight: the first of small steps at whose end the ball is beyond a wall. Non-rigorous.
 pub(in crate::check) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> Real {
     let drift = e * speed + phase.cos(); // proposes
     let height = |h: f64| drift * h - (phase + h).sin() + phase.sin(); // proposes
@@ -107,7 +107,7 @@ pub(in crate::check) fn guess([gap, e]: [f64; 2], [phase, speed]: [f64; 2]) -> R
     Real::new(Enclosure::from_f64_bounds(beyond, beyond).expect("a number"), GUESS_BITS)
 }
 
-/// One flight of all members: its duration, and the state before the impact in which it ends.
+/// One flight of all members: its duration, and the state just before the impact at its end.
 pub(in crate::check) struct Flown {
     pub time: Real,
     pub state: State,

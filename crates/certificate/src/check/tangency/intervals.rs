@@ -30,7 +30,7 @@ struct Tangencies<'c, 'b> {
 }
 
 impl ClaimedTangency {
-    /// Proves that it is one for each value of the other datum, and returns the bits used. Lemma V32
+    /// Proves that there is one tangency for each value of the other datum, and returns the bits used. Lemma V32
     pub(super) fn is_for_each(
         &self,
         states: &[[Bounds; 2]],
@@ -64,7 +64,7 @@ impl ClaimedTangency {
 }
 
 impl Tangencies<'_, '_> {
-    /// The tangencies for all values of the other datum between two.
+    /// The tangencies for all values of the other datum between `low` and `high`.
     fn found(&mut self, near: Vec<Real>, [low, high]: &[Real; 2]) -> Result<Found, Doubt> {
         let mut at = near;
         let others = low.hull(high);
@@ -73,7 +73,7 @@ impl Tangencies<'_, '_> {
         self.system.found(&mut self.chain, at, &[(OTHER, radius)])
     }
 
-    /// Returns whether all of them are proved to be within the bounds that are claimed.
+    /// Whether all tangencies are proved to be within the claimed bounds.
     fn are_inside(&self, found: &Found) -> Result<bool, Doubt> {
         let parameter = self.setting.parameter(&found.bounds[PARAMETER]);
         let parameter = parameter.ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))?;
@@ -84,7 +84,7 @@ impl Tangencies<'_, '_> {
             && are_inside(&found.bounds, self.states))
     }
 
-    /// Proves that all numbers of these tangencies are as claimed.
+    /// Proves that all numbers of the tangencies are as claimed.
     fn compare(&self, found: &Found) -> Result<(), Doubt> {
         let (claim, setting) = (self.claim, self.setting);
         let family = Family { is_restitution: setting.is_restitution(), other: found.bounds[OTHER].clone() };

@@ -1,5 +1,5 @@
-//! Jets: functions of a parameter `x` of a manifold and of `D = d/A`, or of `e` where that is the parameter of the tangency, up to the derivatives
-//! that one needs. Both are called `D` here.
+//! Jets: functions of a parameter `x` of a manifold and of `D = d/A` (or of `e`, if the tangency's parameter is `e`), up to the required
+//! derivatives. Both `D` and `e` are called `D` here.
 
 use crate::check::affine::Affine;
 use impact_pair_exact::Real;
@@ -13,44 +13,44 @@ pub(super) const XD: usize = 4;
 
 /// Taylor coefficients of 1, `x`, `D`, `x^2` and `x D`, each over a set of values of both; `None` is 0.
 ///
-/// Sums, products and functions leave out all other powers (Lemma V17).
+/// Sums, products and functions omit all other powers (Lemma V17).
 #[derive(Clone, Debug)]
 pub(in crate::check) struct Jet {
     coefficients: [Option<Affine>; 5],
 }
 
 impl Jet {
-    /// Returns the jet of these coefficients.
+    /// The jet with these coefficients.
     pub fn new(coefficients: [Option<Affine>; 5]) -> Self {
         Self { coefficients }
     }
 
-    /// Returns a number that depends on neither.
+    /// A number that depends on neither `x` nor `D`.
     pub fn constant(x: Real) -> Self {
         Self::constant_of(Affine::fixed(x))
     }
 
-    /// Returns a value that is taken to depend on neither.
+    /// A value that is taken as independent of `x` and `D`.
     pub fn constant_of(x: Affine) -> Self {
         Self::new([Some(x), None, None, None, None])
     }
 
-    /// Returns a value with its derivative by `D`.
+    /// A value with its derivative by `D`.
     pub fn with_slope(value: Affine, slope: Affine) -> Self {
         Self::new([Some(value), None, Some(slope), None, None])
     }
 
-    /// Returns the coefficient of a power.
+    /// The coefficient of a power.
     pub fn at(&self, power: usize, bits: u32) -> Affine {
         self.coefficients[power].clone().unwrap_or_else(|| Affine::fixed(Real::zero(bits))) // exact: it is 0
     }
 
-    /// Returns the value; 0 where there is none.
+    /// The value; 0 if the coefficient is `None`.
     pub fn value(&self, bits: u32) -> Affine {
         self.at(ONE, bits)
     }
 
-    /// Returns the same jet with other coefficients of these powers.
+    /// The jet with the coefficients of these powers taken from `from`.
     pub fn with(mut self, powers: [usize; 2], from: &Self) -> Self {
         for power in powers {
             self.coefficients[power].clone_from(&from.coefficients[power]);
@@ -92,7 +92,7 @@ impl Jet {
         Self::new(self.coefficients.clone().map(|x| x.map(|x| scaled(&x, factor))))
     }
 
-    /// A function of it, by the function's value and its first two derivatives.
+    /// A function of the jet, by the function's value and its first two derivatives.
     fn of(&self, [f, first, second]: [Affine; 3]) -> Self {
         let rest = Self { coefficients: { [None, self.part(X), self.part(D), self.part(XX), self.part(XD)] } };
         let bits = f.centre.bits();
@@ -106,14 +106,14 @@ impl Jet {
         self.coefficients[power].clone()
     }
 
-    /// Returns sine and cosine.
+    /// Sine and cosine.
     pub fn sin_cos(&self, bits: u32) -> (Self, Self) {
         let (s, c) = sin_cos(&self.value(bits));
         let [minus_s, minus_c] = [&s, &c].map(|x| scaled(x, &Real::int(-1, bits)));
         (self.of([s.clone(), c.clone(), minus_s.clone()]), self.of([c, minus_s, minus_c]))
     }
 
-    /// Returns the quotient; `None` where the divisor may be 0.
+    /// The quotient; `None` where the divisor may be 0.
     pub fn over(&self, divisor: &Self, bits: u32) -> Option<Self> {
         let inverse = inverse(&divisor.value(bits))?;
         let square = product(&inverse, &inverse);
@@ -122,7 +122,7 @@ impl Jet {
         Some(self.times(&divisor.of([inverse, first, second])))
     }
 
-    /// Returns the square root; `None` where it may not be positive.
+    /// The square root; `None` where the value may not be positive.
     pub fn sqrt(&self, bits: u32) -> Option<Self> {
         let value = self.value(bits);
         let hull = value.hull();
@@ -138,7 +138,7 @@ impl Jet {
     }
 }
 
-/// The sum of two.
+/// The sum of two quantities.
 pub(in crate::check) fn sum(a: &Affine, b: &Affine) -> Affine {
     if a.is_fixed() && b.is_fixed() {
         return Affine::fixed(a.centre.clone() + &b.centre);
@@ -147,7 +147,7 @@ pub(in crate::check) fn sum(a: &Affine, b: &Affine) -> Affine {
     Affine::of(a.centre.clone() + &b.centre, &[(&one, a), (&one, b)])
 }
 
-/// The product of two.
+/// The product of two quantities.
 pub(in crate::check) fn product(a: &Affine, b: &Affine) -> Affine {
     if a.is_fixed() && b.is_fixed() {
         return Affine::fixed(a.centre.clone() * &b.centre);
@@ -156,7 +156,7 @@ pub(in crate::check) fn product(a: &Affine, b: &Affine) -> Affine {
     Affine::of(a.centre.clone() * &b.centre, &[(&of_a, a), (&of_b, b)])
 }
 
-/// Returns the product of `x` with a number.
+/// The product of `x` and a number.
 pub(in crate::check) fn scaled(x: &Affine, factor: &Real) -> Affine {
     Affine::of(x.centre.clone() * factor, &[(factor, x)])
 }
@@ -166,7 +166,7 @@ fn sin_cos(x: &Affine) -> (Affine, Affine) {
     (Affine::of(s, &[(&slope_of_s, x)]), Affine::of(c, &[(&-slope_of_c, x)]))
 }
 
-/// 1 over it; `None` where it may be 0.
+/// The reciprocal; `None` where `x` may be 0.
 fn inverse(x: &Affine) -> Option<Affine> {
     let one = Real::int(1, x.centre.bits());
     let slope = one.over(&x.hull().square())?;

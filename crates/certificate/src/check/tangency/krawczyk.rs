@@ -8,17 +8,17 @@ use impact_pair_exact::{Dyadic, Enclosure, Real};
 
 /// Bits of bounds.
 const SHORT_BITS: u32 = 64;
-/// Steps of Newton's iteration, the size of the last one, and that of the smallest box, as powers of 2.
+/// Steps of Newton's iteration, and log2 of the last step and of the smallest box.
 const STEPS: u32 = 16;
 const LAST_STEP_EXPONENT: i64 = -30;
 const MIN_BOX_EXPONENT: i64 = -60;
-/// Number of times that a box is made larger, and the part of its radii added each time, as a power of 2.
+/// Number of times that a box is enlarged, and log2 of the share of its radii that is added each time.
 const MAX_WIDENINGS: u32 = 8;
 const WIDENING_EXPONENT: i64 = -4;
 /// Number of improvements of the weights.
 const WEIGHT_ITERATIONS: u32 = 8;
 
-/// The system solved: the number of equations, and the places of the values solved for; the other values are given.
+/// The system to solve: the number of equations, and the indices of the unknowns; the other values are given.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     pub equations: usize,
@@ -26,7 +26,7 @@ pub(super) struct System {
     pub given: Vec<usize>,
 }
 
-/// An area in which there is exactly one zero for each of the values that are given, bounds of all of these zeros, and what the equations are there.
+/// An area with exactly one zero for each choice of the given values, bounds of all these zeros, and the equations over the area.
 pub(super) struct Found {
     pub area: Area,
     pub bounds: Vec<Real>,
@@ -83,7 +83,7 @@ impl System {
         Ok(Newton { rows: rows.ok_or_else(lost)? })
     }
 
-    /// Returns a zero with the given values of a point near it, and the radii of those for others of the given values. Non-rigorous.
+    /// A zero near `at` with the given values, and radii for other given values. Non-rigorous.
     fn polished(&self, chain: &mut Chain<'_>, mut at: Vec<Real>, given: &[(usize, Real)]) -> Result<Area, Doubt> {
         for _ in 0..STEPS {
             let over = chain.over(&Area::point(at.clone()))?;
@@ -109,7 +109,7 @@ impl System {
         Err(lost())
     }
 
-    /// `C J`, by all values of an orbit.
+    /// `C J`, with a column for every value of an orbit.
     fn multiplied(&self, newton: &Newton, over: &AreaEquations, count: usize) -> Vec<Vec<Real>> {
         let product = |row: &Vec<Real>| {
             let mut sums = vec![Real::zero(SHORT_BITS); count];
@@ -123,7 +123,7 @@ impl System {
         newton.rows.iter().map(product).collect()
     }
 
-    /// Bounds of the operator's displacements of unknowns within these radii, the derivatives those of a product.
+    /// Bounds of the operator's displacements of unknowns within these radii; `product` holds the derivatives.
     fn displacement_bounds(&self, product: &[Vec<Real>], radii: &[Real]) -> Vec<Real> {
         let stray = |(i, row): (usize, &Vec<Real>)| {
             let part = |(j, place): (usize, &usize)| size(&(row[*place].clone() - i64::from(i == j))) * &radii[*place];
@@ -132,7 +132,7 @@ impl System {
         product.iter().enumerate().map(stray).collect()
     }
 
-    /// Proves that an area has at most one zero for each of the given values. Lemma V31
+    /// Proves that an area has at most one zero for each choice of the given values. Lemma V31
     pub fn is_only(&self, chain: &mut Chain<'_>, area: &Area) -> Result<(), Doubt> {
         let over = chain.over(area)?;
         let newton = self.newton(&over)?;
@@ -152,7 +152,7 @@ impl System {
         Err(Doubt::open("the boxes are too wide to prove that there is only one orbit in them"))
     }
 
-    /// Proves that there is exactly one zero next to a point for each of the given values, which are at most these radii from it. Lemma V31
+    /// Proves that there is exactly one zero near a point for each choice of the given values within their radii. Lemma V31
     pub fn found(&self, chain: &mut Chain<'_>, near: Vec<Real>, given: &[(usize, Real)]) -> Result<Found, Doubt> {
         let mut area = self.polished(chain, near, given)?;
         for _ in 0..MAX_WIDENINGS {
@@ -183,7 +183,7 @@ impl System {
     }
 }
 
-/// The values between two, in four parts.
+/// The values between `low` and `high`, in four parts.
 pub(super) fn parts([low, high]: &[Real; 2]) -> Vec<[Real; 2]> {
     let at = |k: i64| {
         let part = (high.clone() - low) * k;
@@ -198,7 +198,7 @@ fn power(n: i64) -> Real {
     Real::point(Dyadic::power_of_two(n), SHORT_BITS)
 }
 
-/// A radius somewhat larger.
+/// A somewhat larger radius.
 fn enlarged(radius: Real) -> Real {
     size(&(radius.clone() + &(radius * &power(WIDENING_EXPONENT))))
 }

@@ -36,16 +36,16 @@ struct DiscData {
     e: Disc,
     pi: Real,
     phase: Disc,
-    /// An upper bound of the absolute value of what `sigma` is multiplied with towards the saddle.
+    /// Upper bound of the absolute value of the factor that multiplies `sigma` towards the saddle.
     ratio: Real,
     side: Side,
 }
 
-/// The derivatives of `E`: by the phase of the largest deviation first.
+/// The derivatives of `E`; the derivative by the phase with the largest deviation comes first.
 type Slopes = [Disc; 3];
 
 impl DiscData {
-    /// Lemma V18: Newton's iteration maps each disc into itself, for each value.
+    /// Lemma V18: Newton's iteration maps each disc into itself, for each complex value of the parameter.
     fn new([gap, e, phase, unstable, stable]: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let bits = BITS;
         let (one, two, pi) = (Real::int(1, bits), Real::int(2, bits), Real::pi(bits));
@@ -59,7 +59,7 @@ impl DiscData {
         let slope = |pi_kappa: &Disc, (s, c): &(Disc, Disc)| c.times_real(&two).minus(&s.times(pi_kappa));
         let waves = real(phase.clone()).sin_cos()?;
         let steep = slope(&at_middle, &waves);
-        // The first step of Newton's iteration from the real phase, and twice it.
+        // The first step of Newton's iteration from the real phase, doubled.
         let miss = pi_kappa.minus(&at_middle).times(&waves.1).minus(&gap_disc.minus(&real(gap.clone())));
         let first = miss.mag().over(&Real::point(steep.mig().enclosure().mig(), bits))?;
         let phase = Disc::new(phase.clone(), first * 2);
@@ -71,7 +71,7 @@ impl DiscData {
         let square = e_disc.times(&e_disc);
         let factor = real(one.clone()).minus(&square).times_real(&pi.half());
         let trace = s.times(&c.inverse()?).times(&factor).plus(&e_disc.times_real(&two));
-        // Trace and determinant of the disc, and those of the real value in its middle.
+        // Trace and determinant of the disc, compared with those of the real value in its middle.
         let off = trace.minus(&real(unstable.clone() + stable)).mag();
         let off_square = square.minus(&real(e.square())).mag();
         let size = |x: &Real| Real::point(x.enclosure().mig(), bits);
@@ -88,7 +88,7 @@ impl DiscData {
         ratio.is_below(&one).then_some(Self { gap: gap_disc, e: e_disc, pi, phase, ratio, side })
     }
 
-    /// The derivatives of `E` where the phases deviate from the saddle by at most this, the largest deviation first.
+    /// The derivatives of `E` where the phases deviate from the saddle by at most `deviations`, the largest deviation first.
     fn slopes(&self, deviations: [Real; 3]) -> Option<Slopes> {
         let Self { e, pi, .. } = self;
         let zero = Real::zero(BITS);
@@ -101,7 +101,7 @@ impl DiscData {
         };
         let [x, y, z] = [(x.sin_cos()?, x), (y.sin_cos()?, y), (z.sin_cos()?, z)];
         let of_flight = |((s0, c0), from): &((Disc, Disc), Disc), ((s1, c1), to): &((Disc, Disc), Disc)| {
-            // The phases are those of one fixed point, whose own deviations cancel.
+            // The phases belong to one fixed point, whose own deviations cancel.
             let time = to.minus(from).plus(&Disc::new(pi.clone(), zero.clone())).inverse()?;
             let slope = self.gap.minus(s0).minus(s1).times(&time);
             Some([slope.minus(c0).times(&time), slope.plus(c1).times(&time).times_real(&Real::int(-1, BITS))])
@@ -113,7 +113,7 @@ impl DiscData {
         Some(if self.side == Side::Stable { [by_x, by_y, second_z] } else { [second_z, by_y, by_x] })
     }
 
-    /// The deviations of three consecutive phases where `abs(sigma) <= radius` and `h` has this bound.
+    /// The deviations of three consecutive phases where `abs(sigma) <= radius` and `h` is bounded by `bound`.
     fn deviations(&self, radius: &Real, bound: &Real) -> [Real; 3] {
         let square = self.ratio.square();
         let linear = [radius.clone(), radius.clone() * &self.ratio, radius.clone() * &square];

@@ -1,7 +1,7 @@
-//! The curve of orbits of a window, from the one that is listed to the two ends (Lemma V30).
+//! The curve of orbits of a window, from the listed orbit to the two ends (Lemma V30).
 //!
-//! Points of the curve are found by Newton's iteration, each in a tiny cell in which it is proved. Cells over the way from one to the next are
-//! proved to hold one curve, of stable orbits, or, next to an end, one along which the eigenvalue that passes 1 or -1 does so once.
+//! Newton's iteration finds points of the curve, each in a tiny cell in which an orbit is proved. A cell between two successive points is
+//! proved to hold one curve of stable orbits or, next to an end, a curve along which the eigenvalue passes 1 or -1 once.
 
 use super::cell::{Cell, Point};
 use super::image::{Along, Image};
@@ -12,30 +12,30 @@ use crate::check::tangency::setting::Setting;
 use crate::check::walk::compare;
 use impact_pair_exact::{Dyadic, Real};
 
-/// Bits of tiny cells beyond those of the bounds of the ends.
+/// Bits by which a tiny cell is smaller than the bounds of the ends.
 pub(super) const TINY_CELL_BITS: i64 = 24;
 /// Bits by which a tiny cell is narrower across the curve.
 const THINNESS_BITS: i64 = 28;
-/// Steps of Newton's iteration, and how much smaller than a tiny cell the last one is, as a power of 2.
+/// log2 of the ratio of a tiny cell to the last step of Newton's iteration, and greatest number of steps.
 const LAST_STEP_BITS: i64 = 8;
 const STEPS: u32 = 24;
 /// Number of bisections of the path between two points, or to an end.
 const BISECTIONS: u32 = 12;
-/// The sides of a cell across the curve at first, as a power of 2, in units of how far the curve strays from its direction.
+/// First sides of a cell across the curve: log2 of their ratio to the deviation of the curve from its direction.
 const WIDTH_EXPONENT: i64 = 3;
 /// Number of times that a cell is widened.
 const MAX_WIDENINGS: u32 = 4;
 /// The coordinate that is the parameter.
 const PARAMETER: usize = 2;
 
-/// Turns a refutation into an undecided claim: it may be about another orbit than that of the document.
+/// Turns a refutation into an undecided claim: the refutation may concern another orbit than the document's.
 pub(super) fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
     }
 }
 
-/// A point of the curve, and the direction of the curve there, both about.
+/// A point of the curve, and the direction of the curve there, both approximate.
 struct Spot {
     at: Point,
     direction: Point,
@@ -78,7 +78,7 @@ impl Between<'_> {
         Err(lost())
     }
 
-    /// The orbit of the curve from a point on at which an eigenvalue is 1, or -1. Non-rigorous.
+    /// The orbit of the curve near `at` with the eigenvalue 1, or -1 for `which` = 1. Non-rigorous.
     fn critical(&mut self, mut at: Point, which: usize) -> Result<Spot, Doubt> {
         let none = || Doubt::open("no end of the window is found");
         for _ in 0..STEPS {
@@ -104,7 +104,7 @@ impl Between<'_> {
         Err(none())
     }
 
-    /// A cell around a point of the curve that goes so far along the coordinate `main`, and nowhere across.
+    /// A cell around a point of the curve that reaches `along` in the coordinate `main`, and has no width across.
     fn around(&self, spot: Spot, (main, along): (usize, &Real)) -> Result<Cell, Doubt> {
         let Spot { at, direction } = spot;
         let part = |x: &Real| Some(x.over(&direction[main])? * along);
@@ -113,7 +113,7 @@ impl Between<'_> {
         Ok(Cell::new(at, [[a, b, c], zero(), zero()]))
     }
 
-    /// A tiny cell around a point, in which there is an orbit, and what is made of it.
+    /// A tiny cell around a point, in which an orbit is proved, with its image and the curve's slopes.
     fn tiny(&mut self, spot: Spot, (main, along): (usize, &Real)) -> Result<(Cell, Image, Along), Doubt> {
         let across = self.power(self.size - THINNESS_BITS);
         let cell = self.around(spot, (main, along))?.with_sides(main, [across.clone(), across]);
@@ -134,7 +134,7 @@ impl Between<'_> {
         }
     }
 
-    /// The curve leads from an orbit to an end, along stable orbits.
+    /// Proves that the curve leads from an orbit to an end, through stable orbits.
     pub fn reaches(&mut self, known: &Cell, end: &ClaimedPoint, setting: &Setting) -> Result<(), Doubt> {
         let which = usize::from(end.kind != Kind::Fold);
         let spot = self.critical(known.centre.clone(), which)?;
@@ -167,7 +167,7 @@ impl Between<'_> {
         answer
     }
 
-    /// A tiny cell about half-way.
+    /// A tiny cell approximately halfway between two tiny cells.
     fn between(&mut self, from: &Cell, to: &Cell) -> Result<Cell, Doubt> {
         let main = farther(&from.centre, &to.centre);
         let at = [0, 1, 2].map(|i| self.point(&(from.centre[i].clone() + &to.centre[i]).half()));
@@ -176,7 +176,7 @@ impl Between<'_> {
         Ok(self.tiny(spot, (main, &along))?.0)
     }
 
-    /// A cell that holds the curve between two tiny ones, which is proved to be one.
+    /// A cell that is proved to hold one curve between two tiny cells.
     fn over(&mut self, from: &Cell, to: &Cell) -> Result<(Image, Along), Doubt> {
         let main = farther(&from.centre, &to.centre);
         let middle = [0, 1, 2].map(|i| self.point(&(from.centre[i].clone() + &to.centre[i]).half()));
@@ -231,7 +231,7 @@ impl Between<'_> {
         }
     }
 
-    /// Proves that all orbits from a stable one to the end are stable.
+    /// Proves that all orbits from a stable orbit to the end are stable.
     fn is_last(&mut self, from: &Cell, zero: &Cell, which: usize) -> Result<(), Doubt> {
         let (image, along) = self.over(from, zero)?;
         let is_monotone = along.slope(&image.criticals[which]).is_some_and(|slope| !slope.is_across());
@@ -243,7 +243,7 @@ impl Between<'_> {
     }
 }
 
-/// The state's coordinate in which two points are farther apart.
+/// The coordinate of the state, 0 or 1, in which two points are farther apart.
 fn farther(a: &Point, b: &Point) -> usize {
     let apart = |i: usize| (a[i].clone() - &b[i]).enclosure().mag();
     usize::from(apart(1) > apart(0))

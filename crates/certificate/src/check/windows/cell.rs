@@ -6,7 +6,7 @@ use impact_pair_exact::{Dyadic, Real};
 /// Phase \[rad\], speed over `A W`, and the parameter `D` or `e`.
 pub(super) type Point = [Real; 3];
 
-/// Bits of the directions of a set, which are exact.
+/// Bits of the directions of a cell, which are exact.
 pub(super) const FRAME_BITS: u32 = 96;
 /// `centre + frame[0] q_0 + frame[1] q_1 + frame[2] q_2` with `|q_i| <= 1`; the directions are points.
 #[derive(Clone, Debug)]
@@ -16,13 +16,13 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Returns the set with these directions, rounded.
+    /// The cell with these directions, rounded.
     pub fn new(centre: Point, frame: [Point; 3]) -> Self {
         let rounded = |x: Real| x.rounded(FRAME_BITS).middle();
         Self { centre: centre.map(|x| x.middle()), frame: frame.map(|direction| direction.map(rounded)) }
     }
 
-    /// Returns the same set with such sides along the two coordinates other than `main`.
+    /// The cell with these sides along the two coordinates other than `main`.
     pub fn with_sides(self, main: usize, sides: [Real; 2]) -> Self {
         let [first, ..] = self.frame;
         let [a, b] = sides;
@@ -33,13 +33,13 @@ impl Cell {
         Self::new(self.centre, [first, side(0, &a), side(1, &b)])
     }
 
-    /// Returns the same set, its sides across multiplied by these factors.
+    /// The cell with its sides across multiplied by these factors.
     pub fn widened(self, [a, b]: [Real; 2]) -> Self {
         let [first, second, third] = self.frame;
         Self::new(self.centre, [first, second.map(|x| x * &a), third.map(|x| x * &b)])
     }
 
-    /// Returns the coordinate `i` of its members.
+    /// The coordinate `i` of the members.
     pub fn spanned(&self, i: usize) -> Affine {
         let unit = |j: usize| Affine::varied(Real::zero(FRAME_BITS), Dyadic::power_of_two(0), j);
         let [a, b, c] = [0, 1, 2].map(unit);
@@ -47,12 +47,12 @@ impl Cell {
         Affine::of(self.centre[i].clone(), &[(u, &a), (v, &b), (w, &c)])
     }
 
-    /// Returns bounds of its members.
+    /// Bounds of the members.
     pub fn hull(&self) -> Point {
         [0, 1, 2].map(|i| self.spanned(i).hull())
     }
 
-    /// Returns whether all of these are members, and not at a face.
+    /// Whether all points of `all` are members, and none is on a face.
     pub fn holds(&self, all: &Point) -> bool {
         let off = [0, 1, 2].map(|i| all[i].clone() - &self.centre[i]);
         let columns = |i: usize| [0, 1, 2].map(|j| self.frame[j][i].at(off[i].bits()));

@@ -1,4 +1,4 @@
-//! What the flights of a period make of a cell, and the curve of periodic orbits in it (Lemma V30).
+//! Images of cells under the flights of a period, and the curve of periodic orbits in a cell (Lemma V30).
 
 use super::cell::{FRAME_BITS, Point};
 use crate::check::contact::Doubt;
@@ -8,14 +8,14 @@ use impact_pair_exact::Real;
 
 /// The image of a cell under the flights of a period.
 pub(super) struct Image {
-    /// Displacement of the state at the centre, less whole forcing periods.
+    /// Displacement of the state at the centre, without whole forcing periods.
     pub off: [Real; 2],
-    /// Encloses the derivatives of that by the coordinates `q` over the cell.
+    /// Encloses the derivatives of the displacement by the coordinates `q` over the cell.
     pub slopes: Rows<3>,
     pub legs: Legs<3, 1>,
-    /// The derivatives of the state itself by the coordinates.
+    /// The derivatives of the state at the start by the coordinates.
     pub starts: Rows<3>,
-    /// The functions that are 0 where 1, or -1, is an eigenvalue.
+    /// The functions that vanish where 1, or -1, is an eigenvalue.
     pub criticals: [Critical; 2],
 }
 
@@ -23,13 +23,13 @@ pub(super) struct Image {
 pub(super) struct Critical {
     /// The function over the cell.
     pub value: Real,
-    /// Its derivatives by the coordinates `q` over the cell.
+    /// Derivatives of the function by the coordinates `q` over the cell.
     pub slopes: [Real; 3],
 }
 
-/// Along the curve of periodic orbits of a cell.
+/// Slopes along the curve of periodic orbits of a cell.
 pub(super) struct Along {
-    /// Bounds how fast `q_1` and `q_2` change with `q_0`.
+    /// Bounds of the derivatives of `q_1` and `q_2` by `q_0`.
     steepness: Option<Real>,
 }
 
@@ -39,7 +39,7 @@ impl Image {
         self.slopes.each_ref().map(|row| coordinates.map(|j| row[j].clone()))
     }
 
-    /// Approximate inverse of these: any matrix is as sound.
+    /// Approximate inverse of the derivatives by two coordinates; any matrix is sound.
     fn newton(&self, coordinates: [usize; 2]) -> Option<Matrix> {
         let middles = self.square(coordinates).map(|row| row.map(|x| x.middle()));
         Some(inverse(&middles)?.map(|row| row.map(|x| x.middle())))
@@ -57,7 +57,7 @@ impl Image {
         [minor(1, 2), minor(2, 0), minor(0, 1)].map(|x| x.middle())
     }
 
-    /// Returns what has to be below 1 for either coordinate across, and of that the part that is not the curve's own change. Lemma V30
+    /// For each coordinate across, the sum that has to be below 1, and the part that is not the curve's own change. Lemma V30
     fn sums(&self) -> Option<([Real; 2], Along)> {
         let newton = self.newton([1, 2])?;
         let change = self.legs.moved(&newton, &self.starts);
@@ -71,7 +71,7 @@ impl Image {
         Some((sums, Along { steepness }))
     }
 
-    /// Returns by how much the sides across are too short, about.
+    /// Approximate factors by which the sides across are too short.
     pub fn stretch(&self) -> Option<[Real; 2]> {
         Some(self.sums()?.0)
     }
@@ -84,14 +84,14 @@ impl Image {
     }
 }
 
-/// The greater one of two bounds.
+/// The greater of two bounds.
 fn greater([a, b]: &[Real; 2]) -> Real {
     let [a, b] = [a, b].map(|x| x.enclosure().sup());
     Real::point(if a < b { b.clone() } else { a.clone() }, FRAME_BITS)
 }
 
 impl Critical {
-    /// Bounds how much it changes with `q_1` and `q_2`.
+    /// Bound of the change of the function with `q_1` and `q_2`.
     pub fn across(&self) -> Real {
         let [_, a, b] = self.slopes.each_ref().map(|x| Real::point(x.enclosure().mag(), FRAME_BITS));
         a + &b
@@ -99,7 +99,7 @@ impl Critical {
 }
 
 impl Along {
-    /// Returns bounds of the derivative by `q_0` along the curve.
+    /// Bounds of the derivative by `q_0` along the curve.
     pub fn slope(&self, x: &Critical) -> Option<Real> {
         let most = x.across() * self.steepness.as_ref()?;
         Some(x.slopes[0].clone() + &Real::within(most.enclosure().sup(), FRAME_BITS))

@@ -12,7 +12,7 @@ use crate::check::tangency::saddle::{Family, Law};
 use crate::check::tangency::series::State;
 use impact_pair_exact::{Dyadic, Real};
 
-/// The widest phases that are tried, as a power of 2.
+/// log2 of the greatest width in phase of sets that are tried.
 const MAX_WIDTH_EXPONENT: i64 = -4;
 
 /// The reduced map along the flights of a period.
@@ -20,16 +20,16 @@ pub(super) struct Map<'b> {
     letters: Vec<Letter>,
     family: Family,
     budget: Budget<'b>,
-    /// Sets are not tried that reach farther in phase.
+    /// Greatest width in phase of sets that are tried.
     widest: Real,
     /// Approximate durations of the flights.
     times: Vec<Real>,
-    /// Forcing periods of the reduced map that a period takes.
+    /// Forcing periods of the reduced map in one period.
     turns: i64,
 }
 
 impl<'b> Map<'b> {
-    /// Returns the map along these flights from near a point.
+    /// The map along these flights from near a point.
     pub fn new(letters: Vec<Letter>, family: Family, budget: Budget<'b>, near: &Point) -> Result<Self, Doubt> {
         let widest = Real::point(Dyadic::power_of_two(MAX_WIDTH_EXPONENT), FRAME_BITS);
         let mut map = Self { letters, family, budget, widest, times: Vec::new(), turns: 0 };
@@ -40,24 +40,24 @@ impl<'b> Map<'b> {
         Ok(map)
     }
 
-    /// Returns the bits of its arithmetic.
+    /// Bits of the arithmetic.
     pub fn bits(&self) -> u32 {
         self.family.bits()
     }
 
-    /// Returns the whole forcing periods that a period takes in the reduced map.
+    /// Forcing periods of the reduced map in one period.
     pub fn turns(&self) -> i64 {
         self.turns
     }
 
-    /// Returns next to nothing around a point, and the unit of its coordinates.
+    /// A cell of almost no size around a point, and the unit of its coordinates.
     pub fn degenerate(&self, at: &Point) -> (Cell, Real) {
         let tiny = Real::point(Dyadic::power_of_two(-2 * i64::from(self.bits())), FRAME_BITS);
         let unit = |i: usize, j: usize| if i == j { tiny.clone() } else { Real::zero(FRAME_BITS) };
         (Cell::new(at.clone(), [0, 1, 2].map(|j| [0, 1, 2].map(|i| unit(i, j)))), tiny.clone())
     }
 
-    /// Flies a period, all flights proved to be first contacts: the state at the centre afterwards, and the derivatives.
+    /// Encloses the state at the centre after a period, and the derivatives; all flights are proved to be first contacts.
     fn flown(&mut self, cell: &Cell) -> Result<([Real; 2], Legs<3, 1>), Doubt> {
         let bits = self.bits();
         let [u, v, w] = &cell.frame;
@@ -98,7 +98,7 @@ impl<'b> Map<'b> {
         law.ok_or_else(|| Doubt::open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
     }
 
-    /// Returns what the flights make of a cell.
+    /// Encloses the image of a cell under the flights.
     pub fn image(&mut self, cell: &Cell) -> Result<Image, Doubt> {
         let bits = self.bits();
         let (at, legs) = self.flown(cell)?;
@@ -107,7 +107,7 @@ impl<'b> Map<'b> {
         let starts = [0, 1].map(|i| [0, 1, 2].map(|j| cell.frame[j][i].clone()));
         let slopes = legs.slopes(self.letters.len());
         let slopes = [0, 1].map(|i| [0, 1, 2].map(|j| slopes[i][j].clone() - &starts[i][j]));
-        // A.7: on an orbit that is closed, e^2 of each impact
+        // A.7: on a closed orbit the determinant is the product of e^2 over the impacts
         let e = self.law(&cell.spanned(2))?.e_hull();
         let power = |n: usize| (0..n).fold(Real::int(1, bits), |product, _| product * &e);
         let impacts = self.letters.len();
@@ -137,9 +137,9 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
 
     const BITS: u32 = 192;
-    /// Factor by which a set is smaller that is as good as a point, as a power of 2.
+    /// log2 of the size of a set that is as good as a point.
     const POINT_EXPONENT: i64 = -80;
-    /// Places of members in a set.
+    /// Positions of members in a set.
     const MEMBERS: [[f64; 3]; 4] = [[0.9, -0.8, 0.7], [-0.9, -0.9, 0.1], [0.3, 0.9, -0.9], [-0.5, 0.8, 0.9]];
 
     fn real(x: f64) -> Real {
@@ -155,8 +155,8 @@ mod tests {
         slopes.iter().zip(q).fold(Real::zero(BITS), |sum, (slope, q)| sum + &(slope.clone() * &real(q)))
     }
 
-    /// A map along the first flights of the stable orbit of 22 impacts beside figure 14, a set around one of its states, and the same set so small
-    /// that it is as good as one of its members.
+    /// A map along the first flights of the stable orbit of 22 impacts near figure 14, and a set around one of its states, also in a size
+    /// so small that the set is as good as a point.
     struct Flights {
         map: Map<'static>,
         cell: Cell,
@@ -190,7 +190,7 @@ mod tests {
         }
     }
 
-    /// Bounds of derivatives over a set hold those of its members (Lemma V30, derivatives), computed alike in a set that is as good as a point.
+    /// Bounds of derivatives over a set contain those of members (Lemma V30, derivatives), each computed in a set as good as a point.
     #[test]
     fn derivatives_over_a_set_hold_those_of_its_members() {
         let large = Real::point(Dyadic::power_of_two(-POINT_EXPONENT), BITS);
@@ -223,7 +223,7 @@ mod tests {
         }
     }
 
-    /// And they are derivatives: a member differs from the middle by no more than they say, in where it comes to, in the trace, and in the derivative
+    /// The bounds are derivatives: a member differs from the middle by at most these bounds, in its image, in the trace, and in the derivative
     /// of each flight.
     #[test]
     fn values_of_members_differ_as_the_derivatives_say() {

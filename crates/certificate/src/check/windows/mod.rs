@@ -1,5 +1,5 @@
-//! Check of a JSON of windows: each orbit at its value is found again as that of a periodic JSON (Lemma V8), and both ends of its window
-//! as the points of a bifurcation JSON, from the orbit of the window on (Lemma V9). Then all orbits between are proved to be stable
+//! Check of a JSON of windows: each orbit is proved again as in a periodic JSON (Lemma V8), and both ends of its window
+//! as points of a bifurcation JSON, starting from the window's orbit (Lemma V9). Then all orbits between are proved to be stable
 //! ([`stable`], Lemma V30).
 
 mod between;
@@ -21,11 +21,11 @@ use impact_pair_model::Error;
 use impact_pair_model::watch::{Silent, Watch};
 
 impl WindowsCertificate {
-    /// Proves each orbit and the ends of its window again, or says which one is not as claimed or not proved, until the watch stops it,
-    /// which receives the windows confirmed so far.
+    /// Proves each orbit and the ends of its window again, or names a window that is refuted or undecided. The watch can stop the check
+    /// and receives the number of windows confirmed so far.
     ///
     /// # Errors
-    /// None: what is beyond exact expressions leaves a window undecided.
+    /// None: a value beyond the range of exact expressions leaves a window undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
         let whole = DocumentCheck {
@@ -40,7 +40,7 @@ impl WindowsCertificate {
 }
 
 impl WindowsCertificate {
-    /// Returns whether no two windows may be one.
+    /// Whether all windows are proved to be different.
     fn are_different(&self) -> bool {
         let all = self.windows();
         (0..all.len()).all(|i| all[..i].iter().all(|other| !all[i].may_be(other)))
@@ -48,8 +48,8 @@ impl WindowsCertificate {
 }
 
 impl ClaimedWindow {
-    /// Returns whether, as far as is claimed, it may be another one. Along the same flights two are different where their orbits at one value are, or
-    /// where the one, proved between its ends, does not have the value of the other. Lemma V30
+    /// Whether two windows may be the same, by their claims. Windows along the same flights differ if their orbits at one value differ, or
+    /// if one window, proved between its ends, does not hold the other's value. Lemma V30
     fn may_be(&self, other: &Self) -> bool {
         if self.at.compare(&other.at) != Some(Ordering::Equal) {
             return self.has_flights_of(other) && !self.is_without(&other.at) && !other.is_without(&self.at);
@@ -60,7 +60,7 @@ impl ClaimedWindow {
 }
 
 impl ClaimedWindow {
-    /// Proves that its orbit and its ends are as claimed, and returns the bits used.
+    /// Proves that the orbit and the ends are as claimed, and returns the bits used.
     fn judged(
         &self,
         over: &ParameterFamily<'_>,

@@ -1,4 +1,4 @@
-//! Proofs that all orbits between the two ends of a window are stable, on one curve through the orbit that is listed (Lemma V30).
+//! Proofs that all orbits between the two ends of a window are stable, on one curve through the listed orbit (Lemma V30).
 
 use num_integer::Integer;
 
@@ -20,14 +20,14 @@ use crate::windows::ClaimedWindow;
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::Wall;
 
-/// Bits of the arithmetic beyond those of the tiny cells, at first and at most.
+/// Bits of the arithmetic beyond those of the tiny cells: at first, and at most.
 const SPARE_BITS: i64 = 160;
 const MAX_SPARE_BITS: i64 = 640;
 /// The largest tiny cell, as a power of 2.
 const MAX_CELL_EXPONENT: i64 = -96;
 
 impl ClaimedWindow {
-    /// The orbits between its ends are stable, on one curve that leads through its orbit, proved in N bits. Lemma V30
+    /// Proves that the orbits between the ends are stable, on one curve through the window's orbit; returns the bits used. Lemma V30
     pub(super) fn is_stable_between(&self, over: &ParameterFamily<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
         let [one, other] = &self.ends[..] else { return Err(Doubt::open("an end of the window is not proved")) };
         let [claim] = self.orbit.orbits() else { return Err(Doubt::open("the window has no orbit")) };
@@ -44,7 +44,7 @@ impl ClaimedWindow {
             let bits = u32::try_from(spare - size).ok().filter(|bits| *bits <= MAX_BITS);
             let bits = bits.ok_or_else(|| Doubt::open("the bounds are too narrow"))?;
             match self.begun((&setting, over), (size, bits), (claim, budget)) {
-                // Rounding in all flights is more than the tiny cell where they are many.
+                // In many flights rounding exceeds the tiny cell.
                 Err(Doubt::Open(_)) if spare < MAX_SPARE_BITS && !budget.is_spent() => spare *= 2,
                 begun => {
                     let (between, known) = begun?;
@@ -58,7 +58,7 @@ impl ClaimedWindow {
         Ok(bits)
     }
 
-    /// The curve in N bits, with the orbit that is claimed, proved to be stable.
+    /// The curve in `bits` bits, beginning at the claimed orbit, which is proved to be stable.
     fn begun<'b>(
         &self,
         (setting, over): (&Setting, &ParameterFamily<'_>),
@@ -71,7 +71,7 @@ impl ClaimedWindow {
         let letters = self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect();
         let far = self.flights.iter().filter(|is_far| **is_far).count() as i64; // exact: a count
         let map = Map::new(letters, setting.family(bits), budget.clone(), &guess)?;
-        // Twice the period where it is a mirrored one, less half a forcing period for each flight to the far wall.
+        // Twice the period if it is mirrored, minus half a forcing period for each flight to the far wall.
         let rounds = if far.is_odd() { 2 } else { 1 };
         if i128::from(rounds * (2 * map.turns() - far)) != 2 * i128::from(claim.cycles) {
             return Err(Doubt::open("the flights of the window do not take the forcing periods of its orbit"));
@@ -91,7 +91,7 @@ struct Start<'c> {
 }
 
 impl Start<'_> {
-    /// `A W` at the value.
+    /// `A W` at the value of the parameter.
     fn unit(&self, bits: u32) -> Result<Real, Doubt> {
         let there =
             self.over.pair.with(self.over.key, self.at.clone()).map_err(|error| Doubt::Open(error.to_string()))?;
@@ -101,7 +101,7 @@ impl Start<'_> {
         Ok(Real::of(&speed, bits))
     }
 
-    /// The middle of the bounds of an impact, as a state of the reduced map and a value of its parameter.
+    /// The middle of the bounds of an impact, as a state of the reduced map with the value of the parameter.
     fn state(&self, impact: &Passage, bits: u32) -> Result<Point, Doubt> {
         let middle = |bounds: &[_; 2]| hull(&bounds.each_ref().map(|x| Real::rational(x, bits))).middle();
         let phase = middle(&impact.phase);
@@ -112,7 +112,7 @@ impl Start<'_> {
         Ok([phase, speed, self.setting.reduced(&Real::of(self.at, bits))?])
     }
 
-    /// A cell holds the value, and its states are those of the bounds of an impact.
+    /// Proves that a cell holds the value, and that its states lie in the bounds of an impact.
     fn holds(&self, impact: &Passage, known: &Cell) -> Result<(), Doubt> {
         let [phase, speed, parameter] = known.hull();
         let bits = parameter.bits();
@@ -144,7 +144,7 @@ mod tests {
         Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
     }
 
-    /// The verdict on the orbits between the ends of a window with another value, its orbit and its ends not checked.
+    /// The verdict on the orbits between the ends of a window with another value; the orbit and the ends are not checked.
     fn between(key: &str, value: Value) -> Result<u32, Doubt> {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;
@@ -153,7 +153,7 @@ mod tests {
         own.windows()[0].is_stable_between(&over, &budget())
     }
 
-    /// The curve of stable orbits leads to the ends that are claimed, from the orbit that is claimed (Lemma V30, window), whatever V8 and V9 say of them.
+    /// The curve of stable orbits leads from the claimed orbit to the claimed ends (Lemma V30, window), independently of V8 and V9.
     #[test]
     fn a_curve_leads_from_the_claimed_orbit_to_the_claimed_ends() {
         let elsewhere =
@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Rounding in 32 flights of figure 16 is more than a tiny cell has room for at first.
+    /// Rounding in 32 flights of figure 16 exceeds the first tiny cell.
     #[test]
     fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
         let own = WindowsCertificate::parse(FIGURE_16).unwrap();
