@@ -23,10 +23,10 @@ pub struct GlobalCertificate {
     orbits: Option<PeriodicCertificate>,
     claimed: Vec<Claimed>,
     rest_cycle: Option<(u32, bool)>,
-    /// Approximate number of boxes that basins are found by; lower bounds of the parts of the state space of attractors, by their places.
+    /// Approximate number of boxes for the basins; for each attractor its position and a lower bound of its basin's share of the state space.
     basins: Option<(u32, Vec<(usize, BigRational)>)>,
     greatest_speed: f64,
-    /// Boxes of the first partition that it was found with, about.
+    /// Approximate number of boxes of the first partition of the analysis.
     boxes: u32,
     says_there_are_no_others: bool,
     /// True if a motion of the pair is proved to graze one wall for ever.
@@ -35,24 +35,24 @@ pub struct GlobalCertificate {
     unjudged: Vec<String>,
 }
 
-/// A component of which something is claimed.
+/// A component with a claim.
 #[derive(Clone, Debug)]
 pub(super) struct Claimed {
     pub kind: String,
     pub attracts: bool,
     pub closed: bool,
-    /// True if it is a set of saddle type, not one periodic motion.
+    /// True if the component is a set of saddle type, not one periodic motion.
     pub is_saddle_set: bool,
-    /// The horseshoe that it is claimed to hold. Lemma V37
+    /// The horseshoe that the component is claimed to hold. Lemma V37
     pub horseshoe: Option<ProvedHorseshoeDocument>,
-    /// Its place among the components.
+    /// Position of the component in the list.
     place: usize,
     /// Impacts of a period of the reduced map.
     reduced: usize,
     orbit: Option<ClaimedOrbit>,
 }
 
-/// Kinds of components with a periodic motion, and what its stability is then.
+/// Kinds of components with a periodic motion, and the stability of the motion.
 const PERIODIC_KINDS: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
 
 impl GlobalCertificate {
@@ -116,12 +116,12 @@ impl GlobalCertificate {
         &self.claimed
     }
 
-    /// The forcing periods of the cycle with rests that is claimed, and whether it rests on both walls in turn.
+    /// The forcing periods of the claimed cycle with rests, and whether the cycle rests on both walls in turn.
     pub(super) fn rest_cycle(&self) -> Option<(u32, bool)> {
         self.rest_cycle
     }
 
-    /// The basins that are judged: by how many boxes they are found, and of attractors, by their places.
+    /// The checked claims about basins: the number of boxes, and for each attractor its position and a lower bound.
     pub(super) fn basins(&self) -> Option<(u32, &[(usize, BigRational)])> {
         self.basins.as_ref().map(|(boxes, areas)| (*boxes, &areas[..]))
     }
@@ -130,17 +130,17 @@ impl GlobalCertificate {
         self.greatest_speed
     }
 
-    /// Boxes of the first partition that it was found with, about: with wide intervals few boxes are enough, and many take long.
+    /// Approximate number of boxes of the first partition: with wide intervals few boxes are enough, and many take long.
     pub(super) fn boxes(&self) -> u32 {
         self.boxes
     }
 
-    /// Returns whether every motion is said to be in one of the components of which something is claimed.
+    /// Whether every motion is claimed to end in one of the components with a claim.
     pub(super) fn says_there_are_no_others(&self) -> bool {
         self.says_there_are_no_others
     }
 
-    /// Returns whether there is anything that a check proves.
+    /// Whether there is a claim that a check proves.
     pub(super) fn claims_something(&self) -> bool {
         let has_motions = self.orbits.is_some() || self.rest_cycle.is_some();
         has_motions
@@ -150,12 +150,12 @@ impl GlobalCertificate {
             || self.contradiction.is_some()
     }
 
-    /// Returns whether a component is claimed to hold a horseshoe: which one does is not checked.
+    /// Whether a component is claimed to hold a horseshoe; the component's identity is not checked.
     pub(super) fn has_horseshoes(&self) -> bool {
         self.claimed.iter().any(|claim| claim.horseshoe.is_some())
     }
 
-    /// Returns whether a component is claimed to graze, of a pair that has such a motion.
+    /// Whether a component is claimed to graze, for a pair that has a grazing motion.
     fn has_grazing_claim(&self) -> bool {
         self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == "grazing")
     }
@@ -164,19 +164,19 @@ impl GlobalCertificate {
         self.contradiction.as_deref()
     }
 
-    /// A finding about an orbit, as one about its component.
+    /// A finding about an orbit, as a finding about its component.
     pub(super) fn placed(&self, finding: Finding) -> Finding {
         let orbits = self.claimed.iter().filter(|claim| claim.orbit.is_some());
         let event = orbits.map(|claim| claim.place).nth(finding.event).unwrap_or(self.count());
         Finding { event, ..finding }
     }
 
-    /// Returns how many components it lists.
+    /// Number of listed components.
     pub fn count(&self) -> usize {
         self.claimed.len()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -203,19 +203,19 @@ impl Claimed {
     }
 }
 
-/// Returns whether a motion of the pair is proved to graze one wall for ever: the far wall is not met before. Lemma A9
+/// Whether a motion of the pair is proved to graze one wall for ever, without meeting the far wall before. Lemma A9
 fn has_grazing_motion(pair: &ImpactPair) -> bool {
     let harmonic = pair.harmonic("a global analysis").ok();
     let twice = harmonic.and_then(|harmonic| harmonic.amplitude().checked_mul(&Exact::from(2)).ok());
     twice.and_then(|twice| pair.gap().compare(&twice)).is_some_and(Ordering::is_ge)
 }
 
-/// Returns whether a component is claimed to be a set of saddle type, not one periodic motion.
+/// Whether a component is claimed to be a set of saddle type, not one periodic motion.
 fn is_saddle_set(component: &ComponentDocument) -> bool {
     component.kind == "saddle" && component.orbit.is_none()
 }
 
-/// Returns a statement of the document that its own fields exclude.
+/// A statement of the document that its own fields contradict.
 fn contradiction(document: &GlobalDocument) -> Option<String> {
     let class = class(document);
     if document.class != class {
@@ -240,7 +240,7 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     document.components.iter().enumerate().find_map(|(i, own)| Some(format!("components[{i}]: {}", of_component(own)?)))
 }
 
-/// The contradiction in the basins: each attractor has one, and no motion is in two. Lemma V27
+/// A contradiction in the basins: each attractor has one basin, and no motion is in two. Lemma V27
 fn of_basins(document: &GlobalDocument) -> Option<&'static str> {
     let is_attractor = |own: &ComponentDocument| own.kind == "attracting" || own.kind == "rest-cycle";
     let places = (0..document.components.len()).filter(|&i| is_attractor(&document.components[i]));
@@ -294,7 +294,7 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     let rounds = impacts.checked_div(reduced).filter(|rounds| rounds * reduced == impacts && (1..=2).contains(rounds));
     let crossings =
         (0..reduced.min(impacts)).filter(|&i| orbit.impacts[i].wall != orbit.impacts[(i + 1) % impacts].wall).count(); // exact: indices
-    // A period of the reduced map is half of one on both walls where it exchanges them.
+    // After an odd number of crossings the reduced period ends on the other wall: the period is twice as long.
     let is_closed = rounds == Some(if crossings % 2 == 1 { 2 } else { 1 });
     let is_least = own.reduced_impacts.is_some_and(|own| is_reduced_period(own, impacts, orbit.symmetric));
     if !(is_closed && is_least) {
@@ -328,7 +328,7 @@ fn class(document: &GlobalDocument) -> &'static str {
     let count = |kind: &str| components.iter().filter(|component| component.kind == kind).count();
     let (rests, open) = (count("rest-cycle"), count("undecided"));
     let attractors = rests + count("attracting");
-    // That all states are in the whole state space says nothing.
+    // That all states are in the whole state space is no claim.
     let is_whole = |component: &ComponentDocument| component.area.value() >= BigRational::from_integer(1.into());
     let is_closed = |component: &ComponentDocument| component.closed && !is_whole(component);
     let are_closed = components.iter().all(|component| component.kind != "undecided" || is_closed(component));

@@ -1,4 +1,4 @@
-//! The JSON of tangencies, read back: what it claims of each, as exact fractions.
+//! The JSON of tangencies, read back: the claims about each tangency, as exact fractions.
 
 use super::attraction::Bounds;
 use super::bifurcation::{own_value, parameter};
@@ -18,7 +18,7 @@ pub struct TangencyCertificate {
     unjudged: Vec<String>,
 }
 
-/// A tangency that is claimed.
+/// A claimed tangency.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedTangency {
     pub key: Key,
@@ -27,7 +27,7 @@ pub(super) struct ClaimedTangency {
     pub flights: Vec<bool>,
     pub phase: Bounds,
     pub speed: Bounds,
-    /// The unstable one, then the stable one.
+    /// The unstable eigenvalue, then the stable eigenvalue.
     pub eigenvalues: [Bounds; 2],
     /// `sigma_u`
     pub unstable: Bounds,
@@ -40,24 +40,24 @@ pub(super) struct ClaimedTangency {
     pub least_speed: BigRational,
     pub least_flight: BigRational,
     pub resonances: u32,
-    /// Bounds of phase and speed of the states between both points, where another datum is an interval.
+    /// Bounds of phase and speed of the states between both points, if another datum is an interval.
     pub states: Option<Vec<[Bounds; 2]>>,
-    /// The numbers of common points on either side of it.
+    /// The numbers of common points on either side of the tangency.
     pub beside: Option<ClaimedSides>,
 }
 
-/// Common points of both invariant manifolds beside a tangency, along its flights, that are claimed.
+/// Claimed common points of both invariant manifolds beside a tangency, along its flights.
 #[derive(Clone, Debug)]
 pub(super) struct ClaimedSides {
-    /// Values of the parameter with two in the boxes.
+    /// Values of the parameter with two common points in the boxes.
     pub two: Bounds,
-    /// Values with none.
+    /// Values of the parameter without common points.
     pub none: Bounds,
     /// `sigma_u`
     pub unstable: Bounds,
     /// `sigma_s`
     pub stable: Bounds,
-    /// Phase and speed of the states between.
+    /// Phase and speed of the states between both points.
     pub states: Vec<[Bounds; 2]>,
 }
 
@@ -76,7 +76,7 @@ impl TangencyCertificate {
         let mut unjudged: Vec<String> = Vec::new();
         unjudged.extend(["program", "scene.start"].map(str::to_owned));
         unjudged.extend(tangencies.iter().map(|tangency| own_value(tangency.key)));
-        // Neither the unit of time nor the origin of phases is in the reduced map.
+        // The reduced map has neither the unit of time nor the origin of phases.
         unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
         unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
         unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
@@ -96,8 +96,8 @@ impl TangencyCertificate {
         &self.tangencies
     }
 
-    /// Returns whether no two tangencies over one parameter may be at the same value: flights of the invariant manifolds added to the word, the
-    /// orbit is the same.
+    /// Whether no two tangencies over one parameter may have the same value of it. A tangency with flights of the invariant manifolds
+    /// added to its word is the same orbit.
     pub(super) fn are_different(&self) -> bool {
         let meet = |one: &ClaimedTangency, other: &ClaimedTangency| {
             let ([low, high], [least, most]) = (&one.parameter, &other.parameter);
@@ -111,12 +111,12 @@ impl TangencyCertificate {
         self.contradiction.as_deref()
     }
 
-    /// Returns how many tangencies it claims.
+    /// Number of claimed tangencies.
     pub fn count(&self) -> usize {
         self.tangencies.len()
     }
 
-    /// Returns the keys of the document that claim nothing which [`check_within`](Self::check_within) judges.
+    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
     pub fn unjudged(&self) -> &[String] {
         &self.unjudged
     }
@@ -159,7 +159,7 @@ impl ClaimedTangency {
     }
 }
 
-/// Returns a statement of the document that its own fields exclude.
+/// A statement of the document that its own fields contradict.
 fn contradiction(document: &TangencyDocument) -> Option<String> {
     let TangencyDocument { certified, tangencies, undecided, interrupted, limited, .. } = document;
     if *certified && (tangencies.is_empty() || *interrupted || *limited || !undecided.is_empty()) {
@@ -169,7 +169,7 @@ fn contradiction(document: &TangencyDocument) -> Option<String> {
 }
 
 impl ClaimedTangency {
-    /// Returns a contradiction to its own flights.
+    /// A contradiction between the tangency and its own flights.
     pub(super) fn contradiction(&self) -> Option<String> {
         let between = self.flights.len().checked_sub(1);
         let Some(between) = between else { return Some("flights: there is none".to_owned()) };

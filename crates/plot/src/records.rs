@@ -5,13 +5,13 @@ use impact_pair::sweep::Head;
 
 /// A sweep or an atlas whose records can be read several times.
 pub trait Records {
-    /// The kind of its head.
+    /// The type of the head.
     type Head: Head;
 
-    /// Returns the head, which holds everything that the points depend on.
+    /// The head, which holds all data that the points depend on.
     fn head(&self) -> &Self::Head;
 
-    /// Hands on the points that are there, in order.
+    /// Passes each present point to `hand`, in order.
     ///
     /// # Errors
     /// Returns the errors of `hand`, and an error if a record cannot be read.

@@ -4,7 +4,7 @@ use impact_pair_document::{ComponentDocument, GlobalDocument};
 
 use super::is_saddle_set;
 
-/// Keys that claim nothing which is judged, some of them several times. Lemmas V20, V27, V28, V37
+/// Keys whose values are not checked, some keys several times. Lemmas V20, V27, V28, V37
 pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, has_grazing_motion: bool) -> Vec<String> {
     let components = &document.components;
     let any = |is_so: &dyn Fn(&ComponentDocument) -> bool| components.iter().any(is_so);
@@ -19,9 +19,9 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys.push(if has_basins { "basins.boxes" } else { "greatest_speed" }.to_owned());
     keys.extend((!any(&|own| own.orbit.is_some())).then(|| "scene.excitation.frequency".to_owned()));
     keys.extend(document.interrupted.then(|| "interrupted".to_owned()));
-    // A claim that components are closed is not checked, nor what follows from it alone.
+    // The claim that components are closed is not checked, nor its consequences.
     keys.extend(["class", "statement"].iter().filter(|_| document.class == "closed").map(|key| (*key).to_owned()));
-    // Of a set of which nothing is known it is not known where it is.
+    // Without a claim that there are no other components, `closed` is not checked.
     let is_unbound = !says_there_are_no_others && !components.is_empty();
     keys.extend(is_unbound.then(|| "components.closed".to_owned()));
     for (i, own) in components.iter().enumerate() {
@@ -30,13 +30,13 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
         let of_period = ["reduced_impacts", "spectral_radius"].into_iter().filter(|_| lacks_symmetry(own));
         keys.extend(of_period.map(|key| format!("components[{i}].{key}")));
     }
-    // The sentence says whether there is a mirror image, and what is in which component.
+    // The sentence states whether there is a mirror image, and which component holds a horseshoe.
     let is_unsaid = |own: &ComponentDocument| lacks_symmetry(own) || own.horseshoe.is_some();
     keys.extend(any(&is_unsaid).then(|| "statement".to_owned()));
     keys
 }
 
-/// Returns whether the document leaves open if a periodic motion is its own mirror image: its period under the reduced map is not checked.
+/// Whether the symmetry of a periodic motion is undecided in the document: then its period under the reduced map is not checked.
 fn lacks_symmetry(own: &ComponentDocument) -> bool {
     own.orbit.as_ref().is_some_and(|orbit| orbit.symmetric.is_none())
 }

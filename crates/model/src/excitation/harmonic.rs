@@ -12,7 +12,7 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// Returns a harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
+    /// The harmonic of amplitude `A >= 0` \[length\], angular frequency `W > 0` \[rad/time\] and phase `tau` \[rad\].
     ///
     /// # Errors
     /// If a value is out of range, or cannot be proved to be in range.
@@ -22,7 +22,7 @@ impl Harmonic {
         Ok(Self { amplitude, frequency, phase })
     }
 
-    /// Returns the amplitude `A` \[length\].
+    /// The amplitude `A` \[length\].
     pub fn amplitude(&self) -> &Exact {
         &self.amplitude
     }
@@ -37,15 +37,15 @@ impl Harmonic {
         &self.phase
     }
 
-    /// Returns the time \[time\] near 0 at which the phase `W t + tau` \[rad\] is this one.
+    /// The time \[time\] near 0 at which `W t + tau` equals `phase` \[rad\].
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions.
+    /// If the time exceeds the range of exact expressions.
     pub fn time_at(&self, phase: &Exact) -> Result<Exact, ExactError> {
         phase.checked_sub(&self.phase)?.checked_div(&self.frequency)
     }
 
-    /// Returns whether no parameter is an interval.
+    /// Whether no parameter is an interval.
     pub(crate) fn is_point(&self) -> bool {
         [&self.amplitude, &self.frequency, &self.phase].into_iter().all(Exact::is_point)
     }

@@ -10,7 +10,7 @@ use impact_pair_exact::{Exact, ExactError};
 
 const ACCEPTED: &str = "KEY=LO..HI or KEY=LO..HI:COUNT with single numbers LO < HI and a whole number COUNT";
 
-/// The values of a key from `low` to `high`, endpoints included: `KEY=LO..HI`, or `KEY=LO..HI:COUNT` for COUNT of them, or COUNT cells.
+/// The values of a key from `low` to `high`, ends included: `KEY=LO..HI`, or `KEY=LO..HI:COUNT` for COUNT values or cells.
 ///
 /// ```
 /// use impact_pair_model::scene::{Key, Range};
@@ -29,7 +29,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// Returns the values of a key from `low` to `high`.
+    /// The values of a key from `low` to `high`.
     ///
     /// # Errors
     /// If the ends are not single numbers, or `low < high` is not proved.
@@ -42,35 +42,35 @@ impl Range {
         Err(Error::out_of_range(None, format!("the range is \"{range}\", but accepted is {ACCEPTED}")))
     }
 
-    /// Returns the key.
+    /// The key.
     pub fn key(&self) -> Key {
         self.key
     }
 
-    /// Returns its least value, a single number.
+    /// The least value, a single number.
     pub fn low(&self) -> &Exact {
         &self.low
     }
 
-    /// Returns its greatest value, a single number.
+    /// The greatest value, a single number.
     pub fn high(&self) -> &Exact {
         &self.high
     }
 
-    /// Returns the number of values or cells, if one is given.
+    /// The number of values or cells, if one is given.
     pub fn count(&self) -> Option<u64> {
         self.count
     }
 
-    /// Returns the number of values; all of them at once are one.
+    /// The number of values; 1 if the range stands for all values at once.
     pub fn points(&self) -> u64 {
         self.count.unwrap_or(1)
     }
 
-    /// Returns `low + (high - low) index/of`; at both ends the number as it is written.
+    /// `low + (high - low) index/of`; at both ends the number as written.
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions.
+    /// If the value exceeds the range of exact expressions.
     pub fn value(&self, index: u64, of: u64) -> Result<Exact, ExactError> {
         if index == 0 {
             return Ok(self.low.clone());
@@ -83,10 +83,10 @@ impl Range {
         self.low.checked_add(&self.high.checked_sub(&self.low)?.checked_mul(&part)?)
     }
 
-    /// Reads a range that `is_accepted`; `accepted` says what is, in words.
+    /// Reads a range that `is_accepted`; `accepted` describes accepted ranges in words.
     ///
     /// # Errors
-    /// If the text is no range, or it is not accepted.
+    /// If the text is not a range, or the range is not accepted.
     pub fn parse(text: &str, accepted: &str, is_accepted: impl Fn(&Self) -> bool) -> Result<Self, Error> {
         let parts = || {
             let (key, rest) = text.split_once('=')?;

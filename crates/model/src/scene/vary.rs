@@ -11,7 +11,7 @@ use impact_pair_exact::Exact;
 const STARTS_ON_WALL: &str = "the scene starts on a wall (give it a start.position instead)";
 
 impl Scene {
-    /// Returns the scene with these values in place of its own; the settings of its run are kept.
+    /// The scene with these values in place of its own; the settings of its run are kept.
     ///
     /// # Errors
     /// Returns an error if a value is out of range, if the excitation has several harmonics but the key names no term, or a term that
@@ -44,7 +44,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Returns the start, checked again against the varied pair.
+    /// The start, checked again against the varied pair.
     fn checked_start(&self) -> Result<Start, Error> {
         let Start { time, velocity, place } = self.start.clone();
         match place {
@@ -55,7 +55,7 @@ impl Scene {
 }
 
 impl ImpactPair {
-    /// Returns the pair with another value of one of its parameters.
+    /// The pair with another value of one of its parameters.
     ///
     /// # Errors
     /// Returns an error if the key is one of the start, if the value is out of range, or if the excitation has several harmonics but the key
@@ -77,11 +77,11 @@ impl ImpactPair {
         Self::new(excitation, gap, restitution)
     }
 
-    /// Returns, for a pair with an amplitude that moves the box, the number of the key's harmonic and the amplitude that other terms
-    /// add to it: see [`Excitation::harmonic_of`].
+    /// For a pair with an amplitude that moves the box: index of the key's harmonic, and the amplitude that other terms
+    /// add to this harmonic; see [`Excitation::harmonic_of`].
     ///
     /// # Errors
-    /// Returns an error if intervals leave undecided which harmonic it is, or if the amplitude exceeds the range of exact expressions.
+    /// Returns an error if intervals leave the harmonic undecided, or if the amplitude exceeds the range of exact expressions.
     pub fn harmonic_of(&self, key: Key) -> Result<(usize, Option<Exact>), Error> {
         let excitation = self.excitation();
         let number = key.term().map_or(0, |number| usize::from(number.get()) - 1);
@@ -227,7 +227,7 @@ mod tests {
         assert!(
             message(&wall, Key::StartPosition, "0").starts_with("start.position is 0, but the scene starts on a wall")
         );
-        // The gap shrinks over the start.
+        // The gap becomes smaller than the start's position allows.
         assert!(message(&inside, Key::Gap, "3").starts_with("start.position is 1.5, but must lie strictly between"));
     }
 }

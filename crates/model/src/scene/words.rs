@@ -1,4 +1,4 @@
-//! Pairs and starts in words, for people.
+//! Pairs and starts in words.
 
 use crate::excitation::Harmonic;
 use crate::pair::ImpactPair;

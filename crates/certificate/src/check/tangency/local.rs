@@ -151,7 +151,7 @@ impl DiscData {
 }
 
 impl Domain {
-    /// Returns the largest disc tried for which it is proved, of the real `D`, `e`, phase and eigenvalues in the middle, unstable and stable.
+    /// The largest of the tried discs that is proved, from the real `D`, `e`, phase and eigenvalues (unstable, stable) at the middle.
     pub fn new(real: [&Real; 5], is_restitution: bool, side: Side) -> Option<Self> {
         let real = real.map(|x| x.rounded(BITS));
         let around = DiscData::new(real.each_ref(), is_restitution, side)?;

@@ -1,5 +1,5 @@
-//! Check of a JSON of tangencies: each is found again by single shooting in multiprecision, from manifolds that are power series of a
-//! scalar equation with proved remainders (Lemmas V17-V19, V29). What it claims of boxes of states is proved by the equations of all
+//! Check of a JSON of tangencies: single shooting in multiprecision encloses each tangency again, from manifolds as power series of a
+//! scalar equation with proved remainders (Lemmas V17-V19, V29). Claims about boxes of states are proved by the equations of all
 //! flights (Lemmas V31, V32).
 //!
 //! In reading order: [`jet`] and [`disc`] (arithmetic), [`saddle`], [`local`] (where the manifolds are analytic), [`series`],
@@ -44,19 +44,19 @@ use shot::{Range, Shot, Unknowns, known};
 
 /// Bits of the arithmetic beyond those of the box in which a tangency is found.
 const SPARE_BITS: i64 = 112;
-/// Bits by which that box is narrower than the claimed bounds, tried in turn.
+/// Numbers of bits, tried in turn, by which the box of a tangency is narrower than the claimed bounds.
 const BOX_BITS_INSIDE: [i64; 3] = [20, 72, 160];
-/// The most bits of the arithmetic.
+/// Greatest precision of the arithmetic, in bits.
 const MAX_BITS: i64 = 1 << 11;
-/// The highest order of resonances that is looked at.
+/// The highest order of resonances that is checked.
 const MAX_RESONANCE_ORDER: u32 = 1024;
 
 impl TangencyCertificate {
-    /// Proves every tangency again, or says which one is not as claimed or not proved, until the watch stops it, which receives the
-    /// tangencies checked so far.
+    /// Proves every tangency again, or names a tangency that is refuted or undecided. The watch can stop the check and receives the
+    /// number of tangencies checked so far.
     ///
     /// # Errors
-    /// None: what is beyond exact expressions leaves a tangency undecided.
+    /// None: a value beyond the range of exact expressions leaves a tangency undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = DocumentCheck {
             contradiction: self.contradiction(),
@@ -70,7 +70,7 @@ impl TangencyCertificate {
 }
 
 impl ClaimedTangency {
-    /// Proves that it is one, and returns the bits used.
+    /// Proves that the claim is a tangency with the claimed properties, and returns the bits used.
     fn judged(&self, pair: &ImpactPair, (effort, budget): (&Effort, &Budget<'_>)) -> Result<u32, Doubt> {
         if let Some(message) = self.contradiction() {
             return Err(Doubt::False(message));
@@ -105,7 +105,7 @@ impl ClaimedTangency {
         self.flights.iter().map(|is_far| if *is_far { Letter::Far } else { Letter::Near }).collect()
     }
 
-    /// Returns the bits used, the box, and what is found over it, for a box that is `inside` bits narrower than the claimed one.
+    /// The bits used, the box, and the shot over the box, for a box that is `inside` bits narrower than the claimed bounds.
     fn judged_inside(
         &self,
         setting: &Setting,
@@ -125,7 +125,7 @@ impl ClaimedTangency {
         self.is_saddle(&law)?;
         self.compare_saddle(&law, range)?;
         let (at, here) = polished(range, &family, &claimed, narrowest - inside - 8).or_else(|doubt| {
-            // No tangency near them, and perhaps none in them.
+            // There is no tangency near the bounds, and perhaps none in them.
             self.none(range, &family, &claimed).and(Err(unproved(doubt)))
         })?;
         let small = [0, 1, 2].map(|i| {
@@ -167,7 +167,7 @@ impl ClaimedTangency {
         }
     }
 
-    /// The only fixed point with the claimed phase, for the values of the parameter, is the equispaced orbit with `N = 1`: a fixed point has
+    /// Proves that the only fixed point with the claimed phase, for these parameters, is the equispaced orbit with `N = 1`: a fixed point has
     /// `D = N pi kappa cos(theta) + 2 sin(theta)` with an odd `N` (Lemma V17).
     fn is_saddle(&self, law: &Law) -> Result<(), Doubt> {
         let phase = hull(&self.phase.each_ref().map(|bound| Real::rational(bound, law.bits())));
@@ -188,7 +188,7 @@ impl ClaimedTangency {
         }
     }
 
-    /// The saddle and its eigenvalues for all values of the parameter. Lemma V17
+    /// Proves the claims about the saddle and its eigenvalues for all values of the parameter. Lemma V17
     fn compare_saddle(&self, law: &Law, range: &Range<'_>) -> Result<(), Doubt> {
         let saddle = range.saddle(law)?;
         let bits = law.bits();
@@ -209,7 +209,7 @@ impl ClaimedTangency {
         no_resonance([&unstable, &stable], self.resonances)
     }
 
-    /// The whole forcing periods between a phase and the claimed one.
+    /// The whole forcing periods between a phase and the claimed phase.
     fn turns(&self, law: &Law, phase: &Real) -> Real {
         let off = Real::rational(&self.phase[0], law.bits()) - phase;
         let turns = (off.to_f64() / std::f64::consts::TAU).round() as i64; // proposes: a whole number
@@ -233,7 +233,7 @@ impl ClaimedTangency {
         at_least("flight", shot.all_times(), &self.least_flight)
     }
 
-    /// The saddle is as claimed; returns its eigenvalues.
+    /// Proves the claims about the saddle's state; returns its eigenvalues.
     fn compare_fixed_point(&self, law: &Law, saddle: &Saddle) -> Result<[Real; 2], Doubt> {
         let bits = law.bits();
         let phase = saddle.phase.value(bits).hull();
@@ -246,7 +246,7 @@ impl ClaimedTangency {
         Ok(eigenvalues)
     }
 
-    /// `q` and `m` are as claimed, and not 0.
+    /// Proves that `q` and `m` are as claimed, and not 0.
     fn compare_unfolding(&self, [quadratic, unfolding]: [&Real; 2]) -> Result<(), Doubt> {
         for (what, found, claimed) in
             [("quadratic coefficient", quadratic, &self.quadratic), ("speed of unfolding", unfolding, &self.unfolding)]
@@ -259,7 +259,7 @@ impl ClaimedTangency {
         Ok(())
     }
 
-    /// Two common points are on the side of `(D - D*) q/m < 0`, and neither range holds the tangency. Lemma V21
+    /// Proves that two common points are on the side of `(D - D*) q/m < 0`, and that neither range holds the tangency. Lemma V21
     fn compare_sides(&self, setting: &Setting, [two, none]: [&Bounds; 2]) -> Result<(), Doubt> {
         let is_positive = |[low, _]: &Bounds| low.is_positive();
         let is_alike = is_positive(&self.quadratic) == is_positive(&self.unfolding);
@@ -273,14 +273,14 @@ impl ClaimedTangency {
     }
 }
 
-/// Turns a refutation for some values of the bounds only into an undecided claim.
+/// Turns a refutation for only some values of the bounds into an undecided claim.
 fn unproved(doubt: Doubt) -> Doubt {
     match doubt {
         Doubt::False(message) | Doubt::Open(message) => Doubt::Open(message),
     }
 }
 
-/// Proves that all of these are at least as claimed.
+/// Proves that all quantities are at least the claimed bound.
 fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Doubt> {
     for (k, found) in found.iter().enumerate() {
         if compare_rational(found.enclosure().sup(), claimed).is_lt() {
@@ -293,7 +293,7 @@ fn at_least(what: &str, found: &[Real], claimed: &BigRational) -> Result<(), Dou
     Ok(())
 }
 
-/// Proves that no product of powers of the eigenvalues, of an order from 2 to `highest`, is one of them.
+/// Proves that no product of powers of the eigenvalues, of an order from 2 to `highest`, is an eigenvalue.
 fn no_resonance(eigenvalues: [&Real; 2], highest: u32) -> Result<(), Doubt> {
     if highest > MAX_RESONANCE_ORDER {
         return Err(Doubt::Open(format!("resonances of orders above {MAX_RESONANCE_ORDER} are not checked")));

@@ -1,4 +1,4 @@
-//! Three equations in three unknowns: Newton's iteration, and the proof of a zero and that it is the only one (Lemma V19).
+//! Three equations in three unknowns: Newton's iteration, and proofs of existence and uniqueness of a zero (Lemma V19).
 
 use super::disc::most;
 use super::saddle::Family;
@@ -17,13 +17,13 @@ pub(super) enum Zeros {
     One,
     /// At most one zero.
     AtMostOne,
-    /// None.
+    /// No zero.
     None,
-    /// Nothing.
+    /// Nothing is proved.
     Open,
 }
 
-/// The inverse of the middles, about: any matrix is as sound.
+/// Approximate inverse of the middles; any matrix is sound.
 fn inverse(rows: &Matrix) -> Option<Matrix> {
     let rows = rows.clone().map(|row| row.map(|x| x.middle()));
     let minor =
@@ -42,7 +42,7 @@ fn along(row: &[Real; 3], vector: &[Real; 3]) -> Real {
     (0..3).map(|k| row[k].clone() * &vector[k]).reduce(|sum, x| sum + &x).expect("three terms")
 }
 
-/// Returns a point next to a zero, from a guess; non-rigorous.
+/// A point next to a zero, from a guess. Non-rigorous.
 pub(super) fn polished(
     range: &mut Range<'_>,
     family: &Family,
@@ -73,7 +73,7 @@ pub(super) fn polished(
     Err(Doubt::open("no tangency is found near the bounds"))
 }
 
-/// Returns how many zeros a box has, by what is found at a point of it and all over it; `at` is a point. Lemma V19
+/// Number of zeros of a box, from the shots at a point `at` of the box and over the whole box. Lemma V19
 pub(super) fn zeros(box_: &Unknowns, (at, here): (&Unknowns, &Shot), over: &Shot) -> Zeros {
     let Some(newton) = inverse(&here.slopes()) else { return Zeros::Open };
     let (slopes, residual) = (over.slopes(), here.residual());
@@ -91,7 +91,7 @@ pub(super) fn zeros(box_: &Unknowns, (at, here): (&Unknowns, &Shot), over: &Shot
             let unit = Real::int(i64::from(i == j), bits);
             unit - &along(row, &column)
         });
-        // One metric for all rows: each unknown in units of its own width.
+        // One metric for all rows: each unknown in units of its radius.
         let rate = (0..3).map(|j| most(&change[j]) * &reach[j]).reduce(|sum, x| sum + &x).expect("three terms");
         is_contracted &= rate.is_below(&reach[i]);
         let image = at[i].clone() - &moved + &along(&change, &off);

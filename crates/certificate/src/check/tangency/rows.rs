@@ -11,17 +11,17 @@ pub(super) struct End {
     /// The state at the centre, and the derivative by `sigma` there.
     pub at: Vector,
     pub tangent: Vector,
-    /// All states.
+    /// Encloses all states.
     pub states: Vector,
     /// The derivatives by `sigma`, parameter and other datum.
     pub slopes: Rows<3>,
-    /// The derivatives of the first one by these.
+    /// Derivatives of the derivative by `sigma` by the same coordinates.
     pub bends: Rows<3>,
-    /// The speeds and the durations of all flights between it and the saddle.
+    /// The speeds and the durations of all flights between the end and the saddle.
     pub near: Vector,
 }
 
-/// The derivatives of one equation, each by the place of its value.
+/// The derivatives of one equation, each with the index of its value.
 pub(super) type Row = Vec<(usize, Real)>;
 
 /// The derivatives of the equations of the flights.

@@ -6,17 +6,17 @@ use impact_pair_exact::Real;
 
 /// Steps of Newton's iteration from a claimed phase.
 const STEPS: u32 = 64;
-/// The widest neighbourhood of a fixed point that is tried, as a power of 2.
+/// log2 of the greatest width of a neighbourhood of a fixed point that is tried.
 const MAX_WIDTH_EXPONENT: i64 = -3;
 
-/// A family of reduced maps: which of `D = d/A` and `e` is the parameter, and the other one.
+/// A family of reduced maps: whether `D = d/A` or `e` is the parameter, and the value of the other.
 #[derive(Clone, Debug)]
 pub(in crate::check) struct Family {
     pub is_restitution: bool,
     pub other: Real,
 }
 
-/// The data of the reduced maps for a set of values of the parameter, as jets in it.
+/// The data of the reduced maps for a set of values of the parameter, as jets in the parameter.
 #[derive(Clone, Debug)]
 pub(in crate::check) struct Law {
     /// `D`
@@ -27,13 +27,13 @@ pub(in crate::check) struct Law {
     pub pi: Real,
 }
 
-/// The fixed point as functions of the parameter.
+/// The fixed point as a function of the parameter.
 pub(super) struct Saddle {
     /// `theta`, the phase of its impacts.
     pub phase: Jet,
     /// The eigenvalue outside the unit circle.
     pub unstable: Jet,
-    /// The eigenvalue inside it.
+    /// The eigenvalue inside the unit circle.
     pub stable: Jet,
 }
 
@@ -42,13 +42,13 @@ impl Family {
         self.other.bits()
     }
 
-    /// Returns the data for values of the parameter; `None` where these are not `0 < e < 1` and `D > 0`, proved.
+    /// The data for values of the parameter; `None` unless `0 < e < 1` and `D > 0` are proved.
     pub fn law(&self, parameter: &Affine) -> Option<Law> {
         let one = Affine::fixed(Real::int(1, self.bits()));
         self.law_of(parameter, Jet::with_slope(parameter.clone(), one))
     }
 
-    /// Returns the same without derivatives by the parameter.
+    /// The data for values of the parameter, without derivatives by the parameter.
     pub fn law_without_slope(&self, parameter: &Affine) -> Option<Law> {
         self.law_of(parameter, Jet::constant_of(parameter.clone()))
     }
@@ -59,7 +59,7 @@ impl Family {
         Law { gap, e, parameter: parameter.clone(), pi: Real::pi(self.bits()) }.proved()
     }
 
-    /// Returns the data for all values of the parameter in a set.
+    /// The data for all values of the parameter in a set.
     pub fn law_over(&self, parameter: &Real) -> Option<Law> {
         let middle = parameter.middle();
         let off = (parameter.clone() - &middle).enclosure().mag();
@@ -68,7 +68,7 @@ impl Family {
 }
 
 impl Law {
-    /// Returns the data for values of the parameter and of the other datum, without derivatives.
+    /// The data for values of the parameter and of the other datum, without derivatives.
     pub(super) fn of_both(is_restitution: bool, parameter: Affine, other: Affine) -> Option<Self> {
         let bits = parameter.centre.bits();
         let [gap, e] = if is_restitution { [&other, &parameter] } else { [&parameter, &other] };
@@ -76,7 +76,7 @@ impl Law {
         Self { gap, e, parameter, pi: Real::pi(bits) }.proved()
     }
 
-    /// Returns these data, where they are proved to satisfy `0 < e < 1` and `D > 0`.
+    /// The data, if they are proved to satisfy `0 < e < 1` and `D > 0`.
     fn proved(self) -> Option<Self> {
         let (gap, e) = (self.gap_hull(), self.e_hull());
         (gap.is_positive() && e.is_positive() && e.is_below(&Real::int(1, self.bits()))).then_some(self)
@@ -102,7 +102,7 @@ impl Law {
         one.plus(&self.e).over(&one.minus(&self.e), self.bits())
     }
 
-    /// `pi kappa`, of all `e`.
+    /// Encloses `pi kappa` for all `e`.
     pub fn pi_kappa(&self) -> Option<Real> {
         Some(self.pi.clone() * &self.kappa()?.value(self.bits()).hull())
     }
@@ -114,7 +114,7 @@ impl Law {
         Self { gap: fixed(&self.gap), e: fixed(&self.e), parameter, pi: self.pi.clone() }
     }
 
-    /// The fixed point with the phase next to a guess, for all values; `None` where none is proved. **Equation** (67)
+    /// The fixed point with the phase next to a guess, for all values; `None` if none is proved. **Equation** (67)
     fn phase(&self, guess: &Real) -> Option<Real> {
         let (pi_kappa, gap) = (self.pi_kappa()?, self.gap_hull());
         let miss = |phase: &Real| {
@@ -135,7 +135,7 @@ impl Law {
         }
         let mut reach = Real::int(1, self.bits());
         (0..self.bits()).for_each(|_| reach = reach.half());
-        // Interval Newton: it maps a neighbourhood into itself.
+        // Interval Newton maps a neighbourhood into itself.
         while reach.enclosure().mag().top().is_none_or(|top| top < MAX_WIDTH_EXPONENT) {
             let around = at.clone() + &Real::within(reach.enclosure().sup(), self.bits());
             let found = at.clone() - &miss(&at).over(&slope(&around))?;
@@ -158,12 +158,12 @@ impl Law {
         Some(miss.times_integer(-1).over(&steep, bits)?.value(bits))
     }
 
-    /// Returns the fixed point with the phase next to a guess, for all values; `None` where it is not proved to be a saddle.
+    /// The fixed point with the phase next to a guess, for all values; `None` if it is not proved to be a saddle.
     pub(super) fn saddle(&self, guess: &Real) -> Option<Saddle> {
         let bits = self.bits();
         let everywhere = self.phase(guess)?;
         let centre = if self.parameter.is_fixed() { everywhere.clone() } else { self.middle().phase(&everywhere)? };
-        // The zero in the middle is the one of the neighbourhood in which there is one only, for each of the values.
+        // The zero at the middle is the zero in the neighbourhood, which has exactly one zero for each value.
         if !everywhere.enclosure().contains_enclosure(centre.enclosure()) {
             return None;
         }
@@ -185,7 +185,7 @@ impl Law {
         (is_saddle && c.value(bits).hull().is_positive()).then_some(Saddle { phase, unstable, stable })
     }
 
-    /// `w = 2 cos(theta)/(1 - e)`, the speed before its impacts. **Equation** (66)
+    /// `w = 2 cos(theta)/(1 - e)`, the speed before the saddle's impacts. **Equation** (66)
     pub fn speed(&self, phase: &Real) -> Option<Real> {
         (phase.cos() * 2).over(&(Real::int(1, self.bits()) - &self.e_hull()))
     }

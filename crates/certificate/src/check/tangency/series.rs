@@ -6,9 +6,9 @@ use super::saddle::{Law, Saddle};
 use crate::check::affine::Affine;
 use impact_pair_exact::{Dyadic, Real};
 
-/// The most coefficients.
+/// Greatest number of coefficients.
 const MAX_COEFFICIENTS: usize = 256;
-/// Bits that the remainder is bounded with.
+/// Bits of the bound of the remainder.
 const SHORT_BITS: u32 = 64;
 
 /// `theta(sigma)` with `theta' = 1` at the saddle.
@@ -20,7 +20,7 @@ pub(super) struct Series {
     domain: Domain,
 }
 
-/// A point of a manifold, as a jet in its parameter and that of the law.
+/// A point of a manifold, as a jet in the manifold's parameter and the law's parameter.
 #[derive(Clone, Debug)]
 pub(in crate::check) struct State {
     /// `theta` \[rad\]
@@ -30,8 +30,8 @@ pub(in crate::check) struct State {
 }
 
 impl Series {
-    /// Returns as many coefficients as the remainder at `abs(sigma) <= most` needs to be less than `2^-bits`; `None` where
-    /// it is not proved.
+    /// As many coefficients as make the remainder for `abs(sigma) <= most` less than `2^-bits`; `None` if this
+    /// is not proved.
     pub fn new(law: &Law, saddle: &Saddle, (side, domain): (Side, Domain), most: &Real) -> Option<Self> {
         let (bits, gap) = (law.bits(), &law.gap);
         let ratio = if side == Side::Unstable { &saddle.unstable } else { &saddle.stable }.clone();
@@ -76,7 +76,7 @@ impl Series {
         Some(Self { side, ratio, phases, domain })
     }
 
-    /// The phase at a parameter of which all values are at most `most`, and its remainder.
+    /// The phase at a parameter with values of size at most `most`, with the remainder.
     fn phase(&self, sigma: &Jet, most: &Real, bits: u32) -> Option<Jet> {
         let sum = self.phases.iter().rev().fold(None, |sum: Option<Jet>, coefficient| {
             Some(sum.map_or_else(|| coefficient.clone(), |sum| sum.times(sigma).plus(coefficient)))
@@ -84,7 +84,7 @@ impl Series {
         Some(sum.plus(&self.domain.rest(self.phases.len() - 1, most, bits)?))
     }
 
-    /// Returns the point with the parameter `sigma + x`.
+    /// The point with the parameter `sigma + x`.
     pub fn at(&self, law: &Law, sigma: &Affine) -> Option<State> {
         let bits = law.bits();
         let most = Real::point(sigma.hull().enclosure().mag(), bits);
@@ -109,7 +109,7 @@ impl Series {
         Some(State { phase, speed })
     }
 
-    /// Returns bounds of the phases of the local manifold for `abs(sigma) <= most`, less that of the saddle.
+    /// Bounds of the phases of the local manifold for `abs(sigma) <= most`, relative to the saddle's phase.
     pub fn deviation(&self, most: &Real) -> Option<Real> {
         Some(most.clone() + &(self.domain.bound.clone() * &most.over(&self.domain.radius)?.square()))
     }
@@ -130,7 +130,7 @@ impl Domain {
         let mut power = ratio.clone();
         for n in 2..MAX_COEFFICIENTS {
             power = power * &ratio;
-            // proposes: the remainder is bounded, whatever the order
+            // proposes: the remainder is bounded for every order
             if power.enclosure().mag().top().is_none_or(|top| top < -i64::from(bits)) {
                 return Some(n);
             }

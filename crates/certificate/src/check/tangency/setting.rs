@@ -1,4 +1,4 @@
-//! The data of a pair as those of its reduced map, `D = d/A` and `e`, over one parameter.
+//! The data of a pair as data of its reduced map, `D = d/A` and `e`, over one parameter.
 
 use super::saddle::Family;
 use crate::check::contact::Doubt;
@@ -7,17 +7,17 @@ use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
 
-/// The exact data of a pair in the units of its reduced map, and what the parameter is in them.
+/// The exact data of a pair in the units of its reduced map, and the parameter in these units.
 pub(in crate::check) struct Setting {
-    /// `A` where the gap varies, `d` where the amplitude does; 1 where the restitution does.
+    /// `A` if the gap varies, `d` if the amplitude varies; 1 if the restitution varies.
     pub unit: Exact,
-    /// `e`, or `D = d/A` where the restitution varies.
+    /// `e`, or `D = d/A` if the restitution varies.
     pub other: Exact,
     pub key: Key,
 }
 
 impl Setting {
-    /// Returns the data of a pair with one harmonic, all points but the parameter.
+    /// The data of a pair with one harmonic, all points but the parameter.
     pub fn new(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
         let setting = Self::of_all(pair, key)?;
         if setting.other.is_point() {
@@ -27,7 +27,7 @@ impl Setting {
         }
     }
 
-    /// Returns the data of a pair with one harmonic, where `e`, or `D` where the restitution varies, may be an interval.
+    /// The data of a pair with one harmonic, where `e`, or `D` if the restitution varies, may be an interval.
     pub fn of_all(pair: &ImpactPair, key: Key) -> Result<Self, Doubt> {
         let reason = |error: Error| Doubt::Open(error.to_string());
         let harmonic = pair
@@ -51,30 +51,30 @@ impl Setting {
         }
     }
 
-    /// Returns the reduced maps for all values of the parameter.
+    /// The reduced maps for all values of the parameter.
     pub fn family(&self, bits: u32) -> Family {
         Family { is_restitution: self.is_restitution(), other: Real::of(&self.other, bits) }
     }
 
-    /// Returns `D = d/A` or `e` of values of the parameter.
+    /// `D = d/A` or `e` for values of the parameter.
     pub fn reduced(&self, parameter: &Real) -> Result<Real, Doubt> {
         let unit = Real::of(&self.unit, parameter.bits());
         let quotient = if self.is_falling() { unit.over(parameter) } else { parameter.over(&unit) };
         quotient.filter(Real::is_positive).ok_or_else(|| Doubt::open("the parameter is not proved to be positive"))
     }
 
-    /// Returns the parameter of values of `D` or `e`.
+    /// The parameter for values of `D` or `e`.
     pub fn parameter(&self, reduced: &Real) -> Option<Real> {
         let unit = Real::of(&self.unit, reduced.bits());
         if self.is_falling() { unit.over(reduced) } else { Some(unit * reduced) }
     }
 
-    /// Returns whether the parameter is `e`.
+    /// Whether the parameter is `e`.
     pub fn is_restitution(&self) -> bool {
         self.key == Key::Restitution
     }
 
-    /// Returns whether `D` falls where the parameter grows.
+    /// Whether `D` decreases as the parameter grows.
     pub fn is_falling(&self) -> bool {
         matches!(self.key, Key::Amplitude(_))
     }

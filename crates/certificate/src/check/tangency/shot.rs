@@ -1,4 +1,4 @@
-//! Single shooting: from the unstable manifold along the word to the stable one, for all values of a box (Lemma V19).
+//! Single shooting from the unstable manifold along the word to the stable manifold, for all values of a box (Lemma V19).
 
 use super::flights::{Launch, Letter, across, fly, guess};
 use super::jet::{self, scaled};
@@ -17,7 +17,7 @@ pub(super) type Unknowns = [Real; 3];
 pub(super) struct Range<'b> {
     pub letters: Vec<Letter>,
     pub budget: Budget<'b>,
-    /// A phase near that of the saddle.
+    /// A phase near the phase of the saddle.
     pub near: Real,
     guesses: Vec<Real>,
     /// A real value of the parameter, and the domains of both manifolds around it.
@@ -29,16 +29,16 @@ pub(super) struct Shot {
     pub saddle: Saddle,
     /// `F^n P_u` and `P_s`.
     pub ends: [State; 2],
-    /// The states before all impacts of the word, from that of `P_u` on.
+    /// The states before all impacts of the word, from the state of `P_u` on.
     pub states: Vec<[Real; 2]>,
-    /// Their speeds, and those near the saddle.
+    /// The speeds of these states and of the states near the saddle.
     speeds: Vec<Real>,
-    /// The durations of all flights, and those near the saddle.
+    /// The durations of all flights, including flights near the saddle.
     times: Vec<Real>,
     bits: u32,
 }
 
-/// The data, where they are proved to be some.
+/// The data, if they are proved to be admissible.
 pub(super) fn known(law: Option<Law>) -> Result<Law, Doubt> {
     law.ok_or_else(|| Doubt::open("a coefficient of restitution between 0 and 1 and a positive gap are needed"))
 }
@@ -48,13 +48,13 @@ impl<'b> Range<'b> {
         Self { letters, budget, near, guesses: Vec::new(), around: None }
     }
 
-    /// Returns the saddle for all values of the parameter.
+    /// The saddle for all values of the parameter.
     pub fn saddle(&self, law: &Law) -> Result<Saddle, Doubt> {
         law.saddle(&self.near.at(law.bits()))
             .ok_or_else(|| Doubt::open("the equispaced orbit is not proved to be a saddle for this parameter"))
     }
 
-    /// Proves where the manifolds are analytic, once for all values of the parameter near the first one. Lemma V18
+    /// Domains in which the manifolds are proved to be analytic, once for all values of the parameter near the first value. Lemma V18
     fn domains(&mut self, family: &Family, parameter: &Real) -> Result<[Domain; 2], Doubt> {
         let bits = family.bits();
         if self.around.is_none() {
@@ -71,7 +71,7 @@ impl<'b> Range<'b> {
         }
     }
 
-    /// Proves where the manifolds are analytic for all of these values of the parameter, each with a disc of complex ones. Lemma V18
+    /// Domains in which the manifolds are proved to be analytic for all given values of the parameter, each with a complex disc. Lemma V18
     pub fn domains_over(&self, family: &Family, parameter: &Real) -> Result<[Domain; 2], Doubt> {
         let law = known(family.law_over(parameter))?;
         let own = self.saddle(&law)?;
@@ -84,7 +84,7 @@ impl<'b> Range<'b> {
         Ok([domain(Side::Unstable)?, domain(Side::Stable)?])
     }
 
-    /// The orbits of all values of a box, its middle the point that derivatives are not taken at.
+    /// The orbits of all values of a box; derivatives are enclosed over the box, values around its middle.
     pub fn shot(&mut self, family: &Family, box_: &Unknowns) -> Result<Shot, Doubt> {
         let bits = family.bits();
         // Most quantities depend on the parameter alone: it is the first deviation.
@@ -132,8 +132,8 @@ impl<'b> Range<'b> {
         Ok(Shot { saddle, ends: [state, end], states, speeds, times, bits })
     }
 
-    /// Proves that all flights from the local manifold end with the impact that it is invariant under: the first contact is with the
-    /// far wall, and no other contact is between it and that one; returns their speeds and durations. Lemma V19
+    /// Proves that flights from the local manifold end at the impacts of the invariance equation: the first contact is with the
+    /// far wall, and no other contact comes before that impact; returns the flights' speeds and durations. Lemma V19
     pub fn flies_near(&self, law: &Law, saddle: &Saddle, series: &Series, most: &Real) -> Result<[Real; 2], Doubt> {
         let (bits, lost) =
             (law.bits(), || Doubt::open("the flights near the saddle are not proved to be first contacts"));
@@ -151,23 +151,23 @@ impl<'b> Range<'b> {
     }
 }
 
-/// The coefficients of both components of a state.
+/// The coefficient of a power, for both components of a state.
 fn part(state: &State, power: usize, bits: u32) -> [Affine; 2] {
     [&state.phase, &state.speed].map(|x| x.at(power, bits))
 }
 
-/// The determinant of two vectors, the second times a number.
+/// The determinant of two vectors.
 fn determinant(a: &[Affine; 2], b: &[Affine; 2]) -> Affine {
     across(a.each_ref(), b.each_ref())
 }
 
 impl Shot {
-    /// Returns the speeds before all impacts of the orbit.
+    /// The speeds before all impacts of the orbit.
     pub fn all_speeds(&self) -> &[Real] {
         &self.speeds
     }
 
-    /// Returns the durations of all flights of the orbit \[rad\].
+    /// The durations of all flights of the orbit \[rad\].
     pub fn all_times(&self) -> &[Real] {
         &self.times
     }
@@ -176,7 +176,7 @@ impl Shot {
         self.ends.each_ref().map(|state| part(state, power, self.bits))
     }
 
-    /// The distance of both ends, less whole periods of the phase, and the determinant of both tangents.
+    /// The difference of both ends, without whole periods of the phase, and the determinant of both tangents.
     pub fn residual(&self) -> [Real; 3] {
         let [flown, end] = self.parts(jet::ONE);
         let [theta, w] = [0, 1].map(|i| flown[i].hull() - &end[i].hull());
@@ -186,7 +186,7 @@ impl Shot {
         [theta - &(turn * turns), w, determinant(&one, &other).hull()]
     }
 
-    /// Its derivatives by the unknowns.
+    /// The derivatives of the residual by the unknowns.
     pub fn slopes(&self) -> [[Real; 3]; 3] {
         let two = Real::int(2, self.bits);
         let ([flown_x, end_x], [flown_d, end_d]) = (self.parts(jet::X), self.parts(jet::D));
@@ -209,8 +209,8 @@ impl Shot {
     }
 }
 
-/// Returns `q` and `m` of the first and second derivatives of `Phi` and `P_s` by their own parameters, and of those by `D`; `None` where `P_s'`
-/// may be 0.
+/// `q` and `m` from the first and second derivatives of `Phi` and `P_s` by their own parameters, and the derivatives of these by `D`; `None`
+/// where `P_s'` may be 0.
 pub(super) fn unfolding(
     [flown, end]: [&[Real; 2]; 2],
     [bent, end_bent]: [&[Real; 2]; 2],
