@@ -26,7 +26,7 @@ const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", 
 /// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
 const NULL_CLAIMS: [&str; 2] = ["events.mapping", "horseshoe"];
 
-/// Returns whether a value exists at a path without the positions in lists.
+/// Whether a value exists at a path without the positions in lists.
 pub(super) fn is_there(value: &Value, path: &str) -> bool {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     match value {

@@ -28,7 +28,7 @@ enum Binding {
 }
 
 impl Exact {
-    /// Returns the text as the user wrote it, if the expression was read from one; else a canonical spelling that
+    /// The text as the user wrote it, if the expression was read from a text; else a canonical spelling that
     /// [`parse`](Exact::parse) reads back to the same value.
     ///
     /// (An interval inside an expression, which only arithmetic can make, is written but not read back.)

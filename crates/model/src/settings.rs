@@ -30,7 +30,7 @@ pub enum Arithmetic {
 }
 
 impl Arithmetic {
-    /// Returns an arithmetic that this build does not have.
+    /// Error for the name of an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         if text == "inari" {
             let message =

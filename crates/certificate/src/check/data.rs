@@ -168,8 +168,8 @@ impl Data<'_> {
         rates.map(Exact::as_rational).try_fold(BigInt::from(1), |turns, rate| Some(turns.lcm(rate?.denom())))
     }
 
-    /// Whether the forcing changes sign after half a common period: each harmonic passes an odd number of half periods. `None` where
-    /// harmonics that do not may vanish: an amplitude may be 0, or harmonics of one frequency may cancel.
+    /// Whether the forcing is reversed half a common period later: each harmonic passes an odd number of half periods. `None` if not
+    /// each does and some may vanish: an amplitude may be 0, or harmonics of one frequency may cancel.
     pub fn has_mirror(&self) -> Option<bool> {
         let Some(turns) = self.common_turns() else { return Some(false) };
         let rates = self.tones.iter().filter_map(|tone| tone.rate.as_ref()?.as_rational());

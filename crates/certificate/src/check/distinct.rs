@@ -21,7 +21,7 @@ const MAX_PERIODS: i64 = 4;
 pub(super) struct Recurrence {
     /// The periods of the reference in a common period.
     turns: BigInt,
-    /// True if half a common period later the shaking may be the opposite.
+    /// True if the forcing may change sign after half a common period.
     may_have_mirror: bool,
     /// 2 pi
     turn: Real,

@@ -139,7 +139,7 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// Whether an extremum in the claimed bounds of time and distance is possible: the velocity may vanish there, and the wall is near. Lemma V4
+    /// Refutes the graze if no extremum is possible in the claimed bounds of time and distance. Lemma V4
     fn has_extremum(
         &self,
         flight: &Flight,

@@ -85,7 +85,7 @@ impl Course<'_> {
     }
 }
 
-/// Stores the Jacobians and jumps of the flights. With a `share`, removes the points after the first up to the one at which the
+/// Stores the Jacobians and jumps of the flights. With a `share`, also removes the points after the first point at which the
 /// expansion reaches that share of its maximum.
 pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], share: Option<f64>) {
     for (k, shot) in shots.iter().enumerate() {

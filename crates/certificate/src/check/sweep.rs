@@ -49,7 +49,7 @@ impl SweepCertificate {
 }
 
 impl ClaimedOrbit {
-    /// Proves that its impacts are as claimed, and returns the bits used, `most` at most.
+    /// Proves that the impacts are as claimed, and returns the bits used, at most `most`.
     fn judged(&self, certificate: &Certificate, data: &Data, most: u32) -> Result<u32, Doubt> {
         is_placed(self.contradiction, self.is_of_grid)?;
         if self.is_shadowed {
@@ -85,7 +85,7 @@ impl ClaimedOrbit {
             let next = walk.impacts + 1;
             let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
             let landing = walk.next_landing().ok_or_else(open)?;
-            // The bounces of a chatter that ends in a rest have no number: then all others are phase_of wrongly here.
+            // Unlisted bounces of a chatter that ends in a rest have no number: all later impacts are counted wrongly here.
             may_rest |= walk.standing.last() == Last::Wall(landing.wall);
             if let Some(state) = states.next_if(|state| state.index == next) {
                 let phase = self.phase_of(walk, &landing)?;
@@ -104,7 +104,7 @@ impl ClaimedOrbit {
 }
 
 impl ClaimedOrbit {
-    /// The phase of an impact, of the term that phases are relative to: of `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
+    /// Phase of an impact relative to the term `W', tau'`: from `W t + tau` it is `(W t + tau - tau) W'/W + tau'`.
     fn phase_of(&self, walk: &Walk<'_>, landing: &Landing) -> Result<Real, Doubt> {
         let found = walk.absolute(&landing.phase.hull());
         let Some(reference) = &self.reference else { return Ok(found) };
@@ -116,7 +116,7 @@ impl ClaimedOrbit {
     }
 }
 
-/// Compares a claimed impact with the one that is found, whose phase is `found`.
+/// Compares a claimed impact with the enclosed impact, whose phase is `found`.
 fn compare_state(claimed: &SweepImpact<Bounds>, walk: &Walk<'_>, landing: &Landing, found: Real) -> Result<(), Doubt> {
     let SweepImpact { index, wall, phase, velocity } = claimed;
     if *wall != landing.wall {

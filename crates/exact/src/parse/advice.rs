@@ -58,7 +58,7 @@ fn with_point(text: &str) -> String {
     }
 }
 
-/// Returns whether a text is a number followed by a unit's name or a degree sign.
+/// Whether a text is a number followed by a unit's name or a degree sign.
 fn has_unit(text: &str) -> bool {
     let is_of_a_unit = |letter: char| letter.is_alphabetic() || "/°^2 ".contains(letter);
     let number = text.trim_end_matches(is_of_a_unit);

@@ -1,4 +1,4 @@
-//! The picture: the plane in the colours of the classes, the paper's curves over it, and its figures marked.
+//! The picture: the plane in the colours of the classes, with the paper's curves and figures.
 
 use std::collections::BTreeMap;
 use std::error::Error as StdError;
@@ -16,16 +16,16 @@ use crate::picture::{self, Axis, Canvas, Element, FONT, Look, Mark, Plane, SCALE
 use crate::records::Records;
 use crate::sweep::{Cells, described};
 
-/// The picture as it is shown.
+/// Size of the picture, in pixels.
 pub const SIZE: (u32, u32) = (960, 720);
-/// Room on the right of the axes, and the radius of the ring of a figure.
+/// Room on the right of the axes, and the radius of a figure's ring.
 const RIGHT_MARGIN: i32 = 28 * SCALE;
 const RING_RADIUS: i32 = 5 * SCALE;
-/// The width of a curve, and of the white on both sides of it.
+/// The width of a curve, and of the curve with the white on both sides.
 const CURVE_WIDTH: i32 = 2 * SCALE;
 const HALO_WIDTH: i32 = 4 * SCALE;
 
-/// Returns the picture as SVG.
+/// The picture as SVG.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
@@ -34,7 +34,7 @@ pub fn svg(atlas: &mut impl Records<Head = AtlasHead>, look: &Look) -> Result<St
     Ok(drawn(atlas.head(), &leaves, look)?.0)
 }
 
-/// The picture, and where the plane is in it: left, top, right and bottom in parts of its size.
+/// The picture, and the place of the plane in it: left, top, right and bottom, relative to its size.
 pub fn drawn(head: &AtlasHead, leaves: &Leaves, look: &Look) -> Result<(String, [f64; 4])> {
     let mut place = [0.0; 4];
     let size = look.size(SIZE);
@@ -53,7 +53,7 @@ pub fn drawn(head: &AtlasHead, leaves: &Leaves, look: &Look) -> Result<(String, 
     Ok((text, place))
 }
 
-/// Title, what is given, the legend and axes.
+/// Draws title, fixed parameters, the legend and axes; returns the plane.
 fn frame(
     head: &AtlasHead,
     leaves: &Leaves,
@@ -90,7 +90,7 @@ fn frame(
     Plane::draw(&below, axes, [&names[0], &names[1]], RIGHT_MARGIN)
 }
 
-/// The parameters that do not vary and matter.
+/// The parameters that do not vary and have an effect.
 fn given(head: &AtlasHead) -> String {
     let varies =
         |key: fn(&Key) -> bool| head.over.iter().filter_map(|over| over.key.parse().ok()).any(|own: Key| key(&own));
@@ -108,7 +108,7 @@ fn given(head: &AtlasHead) -> String {
     words.join(", ")
 }
 
-/// Returns the line on the computation: number of points or cells, and program.
+/// The line on the computation: number of points or cells, and program.
 fn caption_text(head: &AtlasHead, leaves: &Leaves) -> String {
     let what = if head.cells {
         format!("{} cells, each for all parameters in it", leaves.all.len())
@@ -119,7 +119,7 @@ fn caption_text(head: &AtlasHead, leaves: &Leaves) -> String {
     format!("{what}; proved; {}", picture::program())
 }
 
-/// A rectangle for each point or cell, by colours; not by colour alone: what is undecided is struck through.
+/// A rectangle for each point or cell, by colours; undecided rectangles are also struck through.
 fn cells(plane: &Plane, leaves: &Leaves) -> String {
     let mut paths: BTreeMap<usize, Cells> = BTreeMap::new();
     let mut strokes = String::new();
@@ -137,13 +137,13 @@ fn cells(plane: &Plane, leaves: &Leaves) -> String {
     drawn
 }
 
-/// Returns whether any point of a curve is in the plane.
+/// Whether any point of a curve is in the plane.
 fn is_seen(curve: &[[f64; 2]], leaves: &Leaves) -> bool {
     let range = leaves.range();
     curve.iter().any(|at| at.iter().zip(range).all(|(x, [low, high])| (low..=high).contains(x)))
 }
 
-/// Curves, and the paper's figures with their numbers.
+/// Draws the curves, and the paper's figures with their numbers.
 fn over(plane: &Plane, parameters: &Parameters, leaves: &Leaves, root: &Canvas<'_>) -> Result<(), Box<dyn StdError>> {
     let range = leaves.range();
     let mut drawn = String::new();
@@ -194,8 +194,8 @@ impl Label {
         Self { ends: [x - by, y - by, x + by, y + by] }
     }
 
-    /// Returns the first place beside a ring where a label is in the plane and covers nothing: right, left, above or below, there in the middle, from the
-    /// ring on or up to it; right if there is none.
+    /// The first place beside a ring where a label is in the plane and covers nothing, tried in this order: right, left, above, below; above
+    /// and below first centred, then to both sides. Right of the ring if there is no such place.
     fn beside((x, y): (i32, i32), text: &str, pixels: [(i32, i32); 2], taken: &[Self]) -> Self {
         let (width, half) = (text.len() as i32 * FONT * 2 / 5 + 2 * SCALE, FONT * 3 / 5);
         let (away, far) = (RING_RADIUS + 3 * SCALE, RING_RADIUS + 2 * SCALE + half);
@@ -223,7 +223,7 @@ impl Label {
 mod tests {
     use super::*;
 
-    /// Figures 12 and 13 are side by side, in the picture of the gallery near an edge of the plane: no label is drawn over another one, or over a ring.
+    /// Figures 12 and 13 are close together, and in the gallery near an edge of the plane: no label covers another label, or a ring.
     #[test]
     fn labels_of_figures_do_not_meet() {
         let pixels = [(0, 2000), (1500, 0)];

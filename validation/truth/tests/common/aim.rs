@@ -150,7 +150,7 @@ impl Aim {
         None
     }
 
-    /// Returns whether every extremum before the target stays off its wall by more than `margin`: the first of each kind and the last before the
+    /// Whether every extremum before the target stays off its wall by more than `margin`: the first of each kind and the last before the
     /// target bound an arithmetic progression.
     pub fn is_clear(&self, b: &Float, target: Target, margin: &Float) -> bool {
         let other = Target { wall: target.wall.opposite(), turn: 0 };

@@ -32,7 +32,7 @@ pub(super) fn wider(x: &Real) -> Real {
     x.clone() + &(x.clone() - &x.middle()).half() + &least
 }
 
-/// Returns whether values are proved to be within the bounds of the states.
+/// Whether values are proved to be within the bounds of the states.
 pub(super) fn are_inside(found: &[Real], states: &[[Bounds; 2]]) -> bool {
     let is_inside = |(x, bounds): (&Real, &Bounds)| matches!(beside(x, bounds), SetPosition::Inside);
     found[STATES..].iter().zip(states.iter().flatten()).all(is_inside)
