@@ -16,7 +16,7 @@ fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
-/// A pair with a gap of 1 of harmonics given by amplitude, frequency and phase.
+/// A pair with a gap of 1 and harmonics with the given amplitudes, frequencies and phases.
 fn pair(terms: &[(&str, &str, &str)], restitution: &str) -> ImpactPair {
     let term = |&(a, w, tau): &(&str, &str, &str)| Harmonic::new(value(a), value(w), value(tau)).unwrap();
     let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();

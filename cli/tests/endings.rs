@@ -44,7 +44,7 @@ const VERBS: [(&[&str], &[&str]); 15] = [
     ),
 ];
 
-/// The exit code, and what is said on stderr.
+/// The exit code, and the text on stderr.
 fn answer(arguments: &[&str], more: &[&str]) -> (Option<i32>, String) {
     let done = program(&[arguments, more].concat()).output().unwrap();
     (done.status.code(), String::from_utf8(done.stderr).unwrap())

@@ -225,7 +225,7 @@ fn decimal(expression: &str) -> String {
     decimal_bounds(&exact.enclose(96))[0].clone()
 }
 
-/// The document with all that follows from the rest told anew: numbers and mappings of impacts, their count, the message.
+/// The document with all derived values recomputed: numbers and mappings of impacts, their count, the message.
 pub fn made_consistent(document: &Value) -> Value {
     let mut made_consistent = document.clone();
     let Some(events) = made_consistent.get_mut("events").and_then(Value::as_array_mut) else { return made_consistent };

@@ -1,4 +1,4 @@
-//! Atlases: what is proved at one point said of another one, components left out or of another kind, other numbers, and points missing.
+//! Atlases: proofs at one point claimed of another point, components left out or of another kind, other numbers, and missing points.
 
 use serde_json::json;
 

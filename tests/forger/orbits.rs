@@ -51,7 +51,7 @@ fn list(original: &Original) -> Option<(&'static str, &[Value])> {
     Some((path, original.document[key].as_array()?.as_slice()))
 }
 
-/// Paths of the orbits with what is said of them.
+/// The orbits of a document, each with its path and its JSON value.
 fn orbits<'a>(original: &'a Original) -> Vec<(String, &'a Value)> {
     let Some((path, all)) = list(original) else { return Vec::new() };
     let within = if original.is(&["bifurcations"]) { "/orbit" } else { "" };

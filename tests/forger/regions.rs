@@ -1,4 +1,4 @@
-//! Regions and horseshoes: entropies, words, bases, blocks, and what is said of the scene's own orbit.
+//! Regions and horseshoes: entropies, words, bases, blocks, and claims about the scene's own orbit.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;

@@ -121,7 +121,7 @@ fn r51_a_window_is_not_listed_twice_with_two_of_its_values() {
     assert!(apart.verdict != VerdictName::Confirmed && !apart.message.contains("may be one"), "{}", apart.message);
 }
 
-/// An orbit and its claim that is not said to be, or not to be, its own mirror image, of twice the period under the reduced map.
+/// An orbit of twice the period under the reduced map, and its component; the claim leaves open whether the orbit is symmetric.
 fn of_twice_the_period() -> (Value, Value) {
     let document = recorded("global");
     let mut own =
@@ -195,7 +195,7 @@ fn r48_sets_of_saddle_type_that_may_be_none_are_not_counted() {
     }
 }
 
-/// A fate "without sticking" is not proved by a region that is not said to be without rests.
+/// A fate "without sticking" is not proved by a region that does not claim to be without rests.
 #[test]
 fn r48_a_region_that_may_hold_rests_does_not_prove_a_fate_without_sticking() {
     let mut document = recorded("description of a region");

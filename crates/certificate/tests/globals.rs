@@ -192,7 +192,7 @@ fn r38_the_orbits_between_the_ends_of_a_window_are_checked() {
             && !is_named(&found, "stable_between")
             && !is_named(&found, "certified")
     );
-    // Of an orbit that is not said to be admissible another one may be in the bounds.
+    // The bounds of an orbit that is not claimed to be admissible may hold another orbit.
     document["certified"] = json!(false);
     document["windows"][0]["orbit"]["physical"] = Value::Null;
     assert_ne!(checked(&document).verdict, VerdictName::Confirmed);

@@ -160,7 +160,7 @@ def until_in_the_rest(document):
 
 
 def cut_short(document):
-    """A chatter that is said to end three impacts earlier, with bounds that hold the impacts left out."""
+    """A chatter with the false claim that it ends three impacts earlier, with bounds that hold the impacts left out."""
     at = places(document, "rest")[0]
     document["events"][at]["time"] = document["events"][at - 3]["time"]
     del document["events"][at - 3:at]

@@ -17,7 +17,7 @@ const IMPACTS: usize = 6;
 /// Error allowed in the independent simulator, in forcing periods and in `A W`.
 const SIMULATOR_TOLERANCE: f64 = 1e-60;
 
-/// A box, and where it is said to go.
+/// A box, and its claimed image.
 pub struct Mapped {
     rect: Rectangle,
     image: Result<BoxImage, Unmapped>,

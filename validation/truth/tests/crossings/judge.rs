@@ -166,7 +166,7 @@ fn wall_words(document: &Value, walls: &[Wall]) -> Compared<()> {
     Ok(())
 }
 
-/// The orbits of a window from its value to both ends, where they are said to be stable.
+/// The orbits of a window from its value to both ends, where they are claimed to be stable.
 fn between(window: &Value, scene: &Scene) -> Compared<()> {
     let key = window["key"].as_str().unwrap_or_default();
     let number = |value: &Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
