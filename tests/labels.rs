@@ -3,7 +3,7 @@
 //!
 //! A label is `// X1: ...` at the end of the line, or in the comment above its statement, where `X1` is a lemma that is
 //! defined somewhere, or one of three words: `proposes` (nothing certified depends on it), `exact: ...` (no rounding, for the
-//! reason told), `shown` (what is printed, or a cost that is planned). A file that only proposes or shows says so once, near its top:
+//! reason given), `shown` (what is printed, or a cost that is planned). A file that only proposes or shows has one label near its top:
 //! `// Labels: proposes throughout.`
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -81,7 +81,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="less of everything")
     parser.add_argument("--report", metavar="DIR", help="write DIR/arb.md")
     parser.add_argument("--seed", type=int, default=1995)
-    parser.add_argument("--scenes", type=int, help="N random scenes of each kind")
+    parser.add_argument("--scenes", type=int, help="how many random scenes of each kind")
     parser.add_argument("--part", action="append", choices=PARTS, help="only this part; may be repeated")
     parser.add_argument("--show", action="store_true", help="a line for each job")
     asked = parser.parse_args()

@@ -121,8 +121,8 @@ pub(super) fn take(points: &mut Vec<Point>, shots: &[Shot], share: Option<f64>) 
 pub(super) fn worst(points: &[Point]) -> (usize, f64) {
     let ratio = |point: &Point| (point.jump[0] / point.size[0]).abs().max((point.jump[1] / point.size[1]).abs());
     let ratios = points.iter().enumerate().skip(1).map(|(k, point)| (k, ratio(point)));
-    // A NaN counts as the greatest.
-    ratios.fold((0, 0.0), |most, ratio| if ratio.1 <= most.1 { most } else { ratio })
+    // proposes: the first NaN counts as the greatest
+    ratios.fold((0, 0.0), |most, ratio| if ratio.1 <= most.1 || most.1.is_nan() { most } else { ratio })
 }
 
 /// Whether a jump of this ratio to the bounds is small enough.
