@@ -1,4 +1,4 @@
-//! The scene's own orbit: whether it visits the horseshoe.
+//! Limit of the orbit from the scene's start: a stable periodic orbit, or a trapping region that may hold the horseshoe.
 
 use std::ops::ControlFlow;
 
@@ -10,34 +10,32 @@ use crate::pair::ImpactPair;
 use crate::periodic::Attractor;
 use crate::watch::Watch;
 
-/// The result for the orbit of the scene's own start; `None` means undecided.
-///
-/// **Enclosure**: for every parameter of the pair the orbit converges to the one periodic orbit, or is in the region from the
-/// given impact on. Lemmas Q3, D5, D13
+/// Proved limit of the orbit from the scene's start; fields are `None` where nothing is proved.\n\n**Enclosure**: for every
+/// parameter of the pair the orbit converges to `attractor`, or stays in `region` from its `at_impact` on.\nLemmas Q3, D5, D13
 #[derive(Debug, Default)]
 pub struct Asymptotics {
-    /// The stable periodic orbit that it converges to.
+    /// Stable periodic orbit that the scene's orbit converges to.
     pub attractor: Option<Box<Attractor>>,
-    /// A trapping region that it enters.
+    /// Trapping region that the scene's orbit enters.
     pub region: Option<Entered>,
 }
 
-/// A trapping region that the orbit of the scene's own start enters.
+/// Trapping region that the orbit from the scene's start enters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entered {
-    /// Number of boxes.
+    /// Number of boxes of the region.
     pub boxes: usize,
-    /// The impact from which on all impacts are in it, 0 for the start.
+    /// Impact from which on all impacts are in the region, 0 for the start.
     pub at_impact: u64,
-    /// `true` if all h-sets, and so the horseshoe with all its images, are proved to lie in the region.
+    /// `true` if all h-sets, and so the horseshoe with its images, are proved to lie in the region.
     pub holds_bases: bool,
 }
 
-/// Arithmetics, each with the number of impacts after which convergence of the orbit is tested: in doubles, then in as many bits as it takes.
+/// Arithmetics, each with the impacts after which convergence is tested: doubles, then as many bits as the orbit takes.
 const ATTEMPTS: [(Arithmetic, u64); 2] = [(Arithmetic::Interval, 20_000), (Arithmetic::Auto, 800)];
 
 impl Asymptotics {
-    /// Returns the result for an orbit; the region is looked for where there are h-sets.
+    /// Proves the limit of an orbit; a region is looked for only where there are h-sets.
     pub(super) fn of(pair: &ImpactPair, start: &Start, bases: &[HSet], watch: &dyn Watch) -> Result<Self, Error> {
         let mut attractor = None;
         for requested in ATTEMPTS {
@@ -57,7 +55,7 @@ impl Asymptotics {
     }
 }
 
-/// The periodic orbit that N impacts of an orbit prove it to converge to. Lemma Q3
+/// Periodic orbit to which the first `impacts` impacts prove convergence. Lemma Q3
 fn limit(
     pair: &ImpactPair,
     start: &Start,

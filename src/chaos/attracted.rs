@@ -1,8 +1,8 @@
 //! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs/chaos.md#D15`
 //!
-//! A set is followed from one impact to the next as a parallelogram about a middle that is given for each value of the parameters. What
-//! they move is no error then: where the motion contracts, the parallelograms become small, and one that lies in an earlier one is proved
-//! to be contracted to a periodic orbit.
+//! A set is followed from impact to impact as a parallelogram about a middle that is a function of the parameters. So a change
+//! of the\nparameters widens no set. Where the motion contracts, the parallelograms become small. A parallelogram that lies in
+//! an earlier one\nis proved to contract to a periodic orbit.
 
 use std::f64::consts::TAU;
 
@@ -45,7 +45,7 @@ struct Set {
     middle: State,
     sides: [State; 2],
     moved: [State; 2],
-    /// The wall of the impact, and the whole forcing periods passed before the middle's.
+    /// Wall of the impact, and whole forcing periods that passed before the middle's phase.
     wall: Wall,
     turns: f64,
 }
@@ -130,15 +130,15 @@ impl Set {
         if room < NEAR_DISTANCE { room } else { 0.0 } // proposes: how large sets become
     }
 
-    /// Returns the number of whole forcing periods by which another one has to be shifted to lie in this one, for each value of the
-    /// parameters with a margin; `None` where that is not proved. Lemma D15
+    /// Whole forcing periods by which the set `other` is shifted to lie in this set, for each value of the parameters, with a
+    /// margin.\n`None` where no shift is proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
         let (shift, beside) = self.beside(other)?;
         let is_within = |[away, reach]: [Ball; 2]| up(away.mag() + reach.mag()) < 1.0; // D15: strictly inside
         beside.into_iter().all(is_within).then_some(shift)
     }
 
-    /// Returns whether it has no state in common with another one, up to whole forcing periods, for any value of the parameters. Lemma D15 (least)
+    /// Whether this set and `other` have no state in common, up to whole forcing periods, for any parameters. Lemma D15 (least)
     fn is_apart_from(&self, other: &Self) -> bool {
         let across = |set: &Self| set.quad().radii(&set.moved)[0];
         // D15: where phases are this narrow, other whole numbers of forcing periods are excluded
@@ -147,8 +147,8 @@ impl Set {
         is_narrow && self.beside(other).is_some_and(|(_, beside)| beside.into_iter().any(is_beyond))
     }
 
-    /// The whole forcing periods that another set's middle is shifted by to be the nearest, and for each coordinate by the sides of this set: that
-    /// of the shifted middle, and how far from it the states of the other set reach, whatever the parameters.
+    /// Whole forcing periods that shift `other`'s middle nearest to this set's. For each coordinate along this set's sides: the
+    /// shifted\nmiddle, and the reach of `other`'s states from the shifted middle, for all parameters.
     fn beside(&self, other: &Self) -> Option<(f64, [[Ball; 2]; 2])> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
         let away = [
@@ -175,17 +175,17 @@ fn directions([p, q]: [State; 2]) -> [State; 2] {
     [[u / size, w / size], [-w / (TAU * size), TAU * u / size]]
 }
 
-/// Flights, from an impact on a wall, and whole forcing periods of the reduced map, after which a periodic orbit closes.
+/// Flights from an impact on a wall until a periodic orbit closes, and their whole forcing periods in the reduced map.
 struct Round {
     wall: Wall,
     sides: Vec<Side>,
     turns: f64,
-    /// Whether no shorter one is possible, for any parameters.
+    /// Whether no shorter round is possible, for any parameters.
     is_least: bool,
 }
 
 impl Round {
-    /// That of the sets from one to the next that lies in it, `turns` whole forcing periods later. Lemma D15 (round, least)
+    /// Round from a set to the next set that lies in the first one, `turns` whole forcing periods later. Lemma D15 (round, least)
     fn of(sets: &[Set], sides: &[Side], turns: f64) -> Self {
         let count = sides.len();
         let is_apart_after = |n: usize| (n..count).any(|k| sets[k - n].is_apart_from(&sets[k]));
@@ -195,7 +195,8 @@ impl Round {
         Self { wall: sets[0].wall, sides: sides.to_vec(), turns, is_least }
     }
 
-    /// The orbit closes after another round as well, of all pairs or of one: so after the greatest common divisor of both. Lemma D15 (period, one)
+    /// The orbit also closes after the round `other`, so after the greatest common divisor of the two rounds. Lemma D15
+    /// (period, one)
     fn divide(&mut self, other: &Self) {
         let common = self.sides.len().gcd(&other.sides.len());
         self.turns /= (self.sides.len() / common) as f64; // exact: whole forcing periods after each part
@@ -203,7 +204,7 @@ impl Round {
         self.is_least |= other.is_least && other.sides.len() == common;
     }
 
-    /// Its word, in whole forcing periods: twice the flights where they end on the other wall.
+    /// Word and forcing periods of the round; two rounds make a period where one round ends on the other wall.
     fn period(&self) -> Option<StablePeriod> {
         let far = self.sides.iter().filter(|&&side| side == Side::Far).count();
         let half_cycles = 2 * self.turns as i64 - far as i64; // exact: whole numbers, each far impact is half a forcing period later
@@ -227,12 +228,12 @@ pub(super) struct StablePeriod {
     pub word: Word,
     /// The forcing periods that it takes.
     pub cycles: u32,
-    /// Whether it is proved to be the least one; else it is a multiple of that.
+    /// Whether the period is proved to be the least; else it is a multiple of the least period.
     pub is_least: bool,
 }
 
-/// Returns the period of the orbit that the orbit from a state converges to, for all `D` and `e` of the law; `None` where that is not proved.
-/// Lemma D15
+/// Proves that the orbit from a state converges, for all `D` and `e` of the law, to a periodic orbit, and encloses its
+/// period.\n`None` where convergence is not proved. Lemma D15
 pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<StablePeriod> {
     let mut found = ENLARGING_FACTORS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
     // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough
@@ -257,7 +258,7 @@ enum Enlarged {
     To(f64),
 }
 
-/// Returns the round of the periodic orbit that the sets from a state on are proved to converge to; `None` where none is proved.
+/// Round of the periodic orbit that the sets from a state on are proved to converge to; `None` where none is proved.
 fn converges(law: &Law, first: &Visited, enlarged: Enlarged, watch: &dyn Watch) -> Option<Round> {
     let guess = Guess::new(law);
     let (mut sets, mut sides) = (vec![Set::of(first)], Vec::new());

@@ -1,4 +1,5 @@
-//! H-sets, found from a floating-point orbit: parallelograms along the leaves of an attractor. What they lead to is proved.
+//! H-sets, proposed from a floating-point orbit: parallelograms along the leaves of an attractor. Covering relations are proved
+//! later.
 //!
 //! Labels: proposes throughout.
 
@@ -38,7 +39,8 @@ const DEPTH_FRACTIONS: [f64; 3] = [1.0, 0.75, 0.5];
 pub(super) const LENGTHS: [f64; 7] = [0.3, 0.2, 0.13, 0.08, 0.05, 0.03, 0.015];
 const WIDTHS: [f64; 7] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.04, 0.08];
 impl AttractorOrbit {
-    /// Returns the transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a saddle.
+    /// Transients of a regular orbit: points of orbits from elsewhere before they come near it. A horseshoe may be there as a
+    /// saddle.
     pub fn transients(&self, guess: &Guess) -> Self {
         let attractor: Vec<State> =
             self.points.iter().rev().take(MAX_RETURN_IMPACTS * MAX_RETURN_IMPACTS).map(|(state, _)| *state).collect();
@@ -91,7 +93,7 @@ impl AttractorOrbit {
         found
     }
 
-    /// H-sets along the leaves, those first that the orbit crosses most often.
+    /// H-sets along the leaves, most often crossed first.
     fn candidates(&self, guess: &Guess, making: Making) -> Vec<HSet> {
         let mut scored: Vec<(f64, HSet)> = Vec::new();
         for (centre, along) in self.centres() {
@@ -139,7 +141,7 @@ impl AttractorOrbit {
         scored.into_iter().map(|(_, base)| base).filter(HSet::is_convex).collect()
     }
 
-    /// Returns the h-sets that lead to most entropy, of those tried: about bundles of leaves, or else along saddles, or else from everywhere.
+    /// H-sets with the most entropy of all candidates: about bundles of leaves, or else along saddles, or else from everywhere.
     pub fn bases(
         &self,
         law: &Law,
@@ -180,18 +182,18 @@ impl AttractorOrbit {
 }
 
 impl HSet {
-    /// Returns whether it has no state in common with another one, whole forcing periods later or earlier either: an edge parts them. Lemma D9
+    /// Whether this h-set and `other`, also shifted by whole forcing periods, are disjoint: an edge separates them. Lemma D9
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)) || other.is_parted(self, f64::from(-turns)))
     }
 
-    /// Returns whether it has no state in common with itself whole forcing periods later: an edge parts it from its translate by one
-    /// forcing period, and so by more, as it is convex. Lemma D9
+    /// Whether the h-set is disjoint from its translates by whole forcing periods. An edge separates it from its translate by
+    /// one\nforcing period, and so from all, as the h-set is convex. Lemma D9
     pub fn is_apart_from_its_translates(&self) -> bool {
         self.is_parted(self, 1.0) || self.is_parted(self, -1.0)
     }
 
-    /// Returns whether its phases are from -1 to 2 and its speeds positive.
+    /// Whether all phases of the h-set are from -1 to 2 and all speeds positive.
     pub fn is_near(&self) -> bool {
         let corners = [self.left.bottom, self.left.top, self.right.bottom, self.right.top];
         corners.iter().all(|&[phase, speed]| (-1.0..=2.0).contains(&phase) && speed > 0.0)

@@ -4,16 +4,16 @@ use super::words::Path;
 use crate::mapping::Mapping;
 use crate::pair::Wall;
 
-/// A covering relation of the reduced map from one h-set to another, proved.
+/// Proved covering relation of the reduced map from one h-set to another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Word {
-    /// The h-set it starts in.
+    /// Index of the h-set where the covering relation starts.
     pub from: usize,
-    /// The one it crosses.
+    /// Index of the covered h-set.
     pub to: usize,
     /// The walls of its impacts if it starts on the left wall.
     pub walls: Vec<Wall>,
-    /// Half cycles from its start to its end, less what the phases of the two h-sets differ by.
+    /// Half cycles from start to end, less the difference of the phases of the two h-sets.
     pub half_cycles: i64,
 }
 
@@ -27,7 +27,7 @@ impl Word {
         Self { walls: walls.collect(), from: path.from, to: path.to, half_cycles: path.half_turns }
     }
 
-    /// Returns it in mappings, the first one right-most, as the paper writes them.
+    /// The word's mappings, the first one right-most, as the paper writes them.
     pub fn in_mappings(&self) -> String {
         let mut from = Wall::Left;
         let mut names: Vec<String> = Vec::new();
@@ -39,19 +39,19 @@ impl Word {
         names.join(" ")
     }
 
-    /// Returns its mappings and its half cycles, which name a block.
+    /// The word's mappings and half cycles, which name a block.
     pub fn as_block(&self) -> String {
         let unit = if self.half_cycles == 1 { "half cycle" } else { "half cycles" };
         format!("{} ({} {unit})", self.in_mappings(), self.half_cycles)
     }
 
-    /// Returns whether both are one block, between whatever h-sets: the same walls after as many half cycles. Lemma D9
+    /// Whether two words are one block, whatever their h-sets: the same walls after the same number of half cycles. Lemma D9
     pub fn is_same_block(&self, other: &Self) -> bool {
         self.walls == other.walls && self.half_cycles == other.half_cycles
     }
 }
 
-/// Words that are one block, and from which h-set to which each of them leads.
+/// Words of one block, and the h-sets from which and to which each word leads.
 struct Block<'w> {
     word: &'w Word,
     passages: Vec<[usize; 2]>,
@@ -84,7 +84,7 @@ pub(super) fn horseshoe(words: &[Word], bases: usize) -> Option<[&Word; 2]> {
     None
 }
 
-/// Returns whether there are h-sets from each of which a word of each block leads to one of them. Lemma D9
+/// Whether a non-empty set of h-sets exists from each of which a word of each block leads into the set. Lemma D9
 fn is_free(blocks: [&Block<'_>; 2], bases: usize) -> bool {
     let mut alive = vec![true; bases];
     loop {

@@ -76,7 +76,7 @@ impl BoxMap {
     /// Columns in a forcing period, a power of two.
     pub const COLUMNS: std::ops::RangeInclusive<i64> = 2..=1 << 20;
 
-    /// Returns the map of a pair; phases of landings are found in columns of a forcing period, as many as a power of two.
+    /// The map of a pair; phases of landings are found in `columns` columns of a forcing period.
     ///
     /// # Errors
     /// With several harmonics, when a value is beyond the range of double-precision flights, and when `columns` is not a power of
@@ -91,8 +91,8 @@ impl BoxMap {
         Ok(Self { law: Law::of(pair)?, grid: Grid { columns, rows: 1.0 } })
     }
 
-    /// Returns where the flights from a rectangle land, or why that is not bounded. `None` of a rectangle whose ends are not
-    /// in order, below 0 in speed, or beyond 1024.
+    /// Encloses the landings of the flights from a rectangle, or gives the reason why they are not bounded. `None` for a
+    /// rectangle whose\nends are not in order, below 0 in speed, or beyond 1024.
     pub fn image(&self, states: &Rectangle) -> Option<Result<BoxImage, Unmapped>> {
         let Rectangle { phase, speed } = states;
         let in_order =
@@ -153,7 +153,7 @@ mod tests {
         BoxMap::new(scene.unwrap().pair(), columns)
     }
 
-    /// Returns the bounds of phase of the rectangle around landings in these columns of eight, all on the near wall.
+    /// Bounds of phase of the rectangle around landings in these columns of eight, all on the near wall.
     fn around(columns: &[i64]) -> [f64; 2] {
         let map = map(8).unwrap();
         let landed = columns.iter().map(|&column| Arrivals { column, side: Side::Near, speeds: [1.0, 2.0] });

@@ -23,7 +23,7 @@ pub(super) struct Links {
 }
 
 impl Links {
-    /// Returns the links of pairs, in any order.
+    /// The links of pairs, in any order.
     pub fn new(count: usize, pairs: &mut [(u32, u32)]) -> Self {
         pairs.sort_unstable();
         let start = |cell: usize| pairs.partition_point(|&(from, _)| (from as usize) < cell) as u32; // exact: fewer than 2^32
@@ -37,7 +37,7 @@ impl Links {
     }
 }
 
-/// Returns all edges between the boxes of a region, in order: the images of each, or of its quarters where `in_quarters`. Lemma D4
+/// All edges between the boxes of a region, in order: images of each box, or of its quarters where `in_quarters`. Lemma D4
 pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) -> Vec<Edge> {
     let of_share = |(first, some): &(usize, &[Cell])| {
         let mut own = Vec::new();
@@ -56,8 +56,8 @@ pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) ->
     edges
 }
 
-/// The walls and the numbers of the boxes that the images of all these parts are noted in; `None` where one is noted in none of the
-/// region, or a flight is not followed.
+/// Walls and numbers of the region's boxes that meet the images of `parts`. `None` where an image lies outside the region, or
+/// a\nflight is not followed.
 fn images(law: &Law, grid: Grid, parts: &[Quad], cells: &[Cell]) -> Option<HashSet<(Side, u32)>> {
     let mut noted = HashSet::new();
     for part in parts {
@@ -73,9 +73,9 @@ fn quarters(grid: Grid, (column, row): Cell) -> [Quad; 4] {
     [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]: [i32; 2]| finer.quad((2 * column + i, 2 * row + j)))
 }
 
-/// Returns the strongly connected parts, the members of each in order: the nodes that lead to each other.
+/// Strongly connected components: nodes that lead to each other, in order.
 ///
-/// A part comes before those that it leads to.
+/// A component comes before the components that it leads to.
 pub(super) fn parts(forth: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut back = vec![Vec::new(); forth.len()];
     for (from, to) in forth.iter().enumerate() {

@@ -40,7 +40,7 @@ pub(super) struct Place {
     pub cuts: u32,
 }
 
-/// H-sets of one place, and how much entropy is seen of them.
+/// H-sets of one place, and the entropy that is seen of them.
 #[derive(Clone, Debug)]
 pub(super) struct Bundle {
     pub bases: Vec<HSet>,
@@ -48,7 +48,7 @@ pub(super) struct Bundle {
     place: Place,
 }
 
-/// An orbit, and how many impacts of its words are looked at.
+/// Orbit, and the number of impacts of its words that are looked at.
 struct WordObservation<'s> {
     orbit: Indexed<'s>,
     guess: &'s Guess,
@@ -193,7 +193,7 @@ fn distinct(bundles: impl Iterator<Item = Bundle>) -> Vec<Bundle> {
     found
 }
 
-/// Returns whether they may be h-sets: convex, near, and apart from one another.
+/// Whether all h-sets are convex, near, and disjoint from one another.
 fn are_good(bases: &[HSet]) -> bool {
     let is_apart = |(k, base): (usize, &HSet)| bases[..k].iter().all(|other| base.is_apart(other));
     bases.iter().all(|base| base.is_convex() && base.is_near()) && bases.iter().enumerate().all(is_apart)

@@ -34,12 +34,12 @@ pub const MOST_CELLS: u32 = 1_000_000;
 /// The most times that a cell is halved.
 pub const MOST_HALVINGS: u32 = 24;
 
-/// The settings of a search for horseshoes.
+/// Settings of a search for horseshoes over a range of a parameter.
 #[derive(Clone, Debug)]
 pub struct RangeSettings {
     /// The parameter and its range.
     pub over: Range,
-    /// Cells that it is cut into, equally wide.
+    /// Number of equally wide cells that the range is cut into.
     pub cells: u32,
     /// Number of times that a cell is halved at most, where nothing is proved of all of it.
     pub halvings: u32,
@@ -47,7 +47,7 @@ pub struct RangeSettings {
     pub depth: usize,
 }
 
-/// The result that is proved for all values of the parameter in a stretch.
+/// Result that is proved for all values of the parameter in a stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// The impact map of each pair holds a horseshoe; what becomes of the scene's own orbit is not proved.
@@ -75,7 +75,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Returns the verdict in a word.
+    /// Name of the verdict in the outputs.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Horseshoe(_) => "horseshoe",
@@ -102,8 +102,8 @@ impl Verdict {
         }
     }
 
-    /// Returns whether its word is that of another verdict several times, in as many times its cycles. Lemma D15: of a common value both speak of one
-    /// orbit
+    /// Whether this verdict's word and cycles are those of `other`, several times over. Lemma D15: at a common value the two
+    /// verdicts are\nabout one orbit
     fn is_round_of(&self, other: &Self) -> bool {
         let (Self::Attracted { word: round, cycles: all, beside }, Self::Attracted { word, cycles, beside: own }) =
             (self, other)
@@ -120,7 +120,7 @@ impl Verdict {
     }
 }
 
-/// Neighbouring values of a parameter of which the same is proved, endpoints included.
+/// Neighbouring values of a parameter with the same proved verdict, endpoints included.
 #[derive(Clone, Debug)]
 pub struct Stretch {
     /// The least value.
@@ -165,13 +165,14 @@ struct Work<'w> {
 }
 
 impl Cells {
-    /// Returns what is proved of the pairs with each value of the parameter.
+    /// Proves a verdict for each value of the parameter.
     ///
     /// `watch` receives the number of cells done, and may stop it; results proved so far are kept. First each cell is examined separately,
     /// then what is undecided is tried by the h-sets of horseshoes beside it, in a fixed order, so threads decide nothing.
     ///
     /// # Errors
-    /// With several harmonics, where an end is no value of the parameter, and when a value is beyond the range of flights.
+    /// With several harmonics, where an end is no valid value of the parameter, and when a value is beyond the range of
+    /// flights.
     pub fn of(pair: &ImpactPair, start: &Start, requested: &RangeSettings, watch: &dyn Watch) -> Result<Self, Error> {
         let (key, low, high) = (requested.over.key(), requested.over.low(), requested.over.high());
         Law::of(&pair.with(key, within(NAME, low, Exact::interval(low, high))?)?)?;
@@ -244,7 +245,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Decides a cell, or its halves; `known` are h-sets that the last horseshoe was proved with.
+    /// Decides a cell, or its halves; `known` are the h-sets of the last proved horseshoe.
     fn decide(
         &self,
         [low, high]: [Exact; 2],
@@ -271,8 +272,8 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Returns the verdict on a stable periodic orbit: one that the scene's own orbit converges to; else, for cells that are not halved any more, one
-    /// where the scene's orbit settles in floating point, which says less.
+    /// Verdict on a stable periodic orbit that the scene's own orbit converges to. For cells that are not halved any more, also
+    /// on one\nwhere only the floating-point orbit settles.
     fn periodic(&self, pair: &ImpactPair, is_last: bool) -> Result<Verdict, Error> {
         let Some(first) = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0) else {
             return Ok(Verdict::Undecided);
@@ -338,7 +339,7 @@ fn middle(low: &Exact, high: &Exact) -> Result<Exact, Error> {
     within(NAME, low, low.checked_add(high).and_then(|sum| sum.checked_div(&Exact::from(2))))
 }
 
-/// Impacts of a floating-point orbit after a transient, for pictures: nothing is proved of them. None where it ends.
+/// Impacts of a floating-point orbit after a transient, for pictures, without proof. None where the orbit ends.
 ///
 /// # Errors
 /// With several harmonics, and when a value is beyond the range of flights.

@@ -18,7 +18,7 @@ fn sums(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64, q: Ball) ->
     matrix
 }
 
-/// A lower bound of the entropy of all sequences of words, by what a word weighs: of impacts, or of half periods.
+/// Lower bound of the entropy of all sequences of words, per unit of `weight`: per impact, or per half forcing period.
 ///
 /// 0 where none is proved.
 pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i64 + Copy) -> f64 {
@@ -38,7 +38,7 @@ pub(crate) fn entropy(words: &[Path], bases: usize, weight: impl Fn(&Path) -> i6
     }
 }
 
-/// Returns whether the spectral radius is proved to be at least 1, by a vector that is not negative and does not shrink.
+/// Whether the spectral radius is proved to be at least 1: a non-negative vector does not shrink.
 fn is_reached(matrix: &[Vec<Ball>]) -> bool {
     let size = matrix.len();
     let mut vector = vec![1.0f64; size];

@@ -1,5 +1,5 @@
-//! H-sets from everywhere on a floating-point orbit, selected by how the orbit itself returns across them: for slow expansion, where horseshoes
-//! are of long words, and saddles are not in the middle of their h-sets. What they lead to is proved.
+//! H-sets from everywhere on a floating-point orbit, selected by the orbit's returns across them. For slow expansion: horseshoes have long\nwords
+//! there, and saddles are not in the middle of their h-sets. Covering relations are proved later.
 //!
 //! Labels: proposes throughout.
 
@@ -45,7 +45,7 @@ impl AttractorOrbit {
         found
     }
 
-    /// H-sets that the orbit comes back across in several ways, those first that most entropy is seen of.
+    /// H-sets that the orbit crosses in several ways, those with the most entropy first.
     pub(super) fn crossed(&self, guess: &Guess, (making, depth): (Making, usize)) -> Vec<HSet> {
         let points = &self.points[..self.points.len().min(COUNTED_POINTS)];
         let of_one = |&(centre, along): &(State, State)| {
@@ -88,7 +88,7 @@ impl AttractorOrbit {
     }
 }
 
-/// The h-set with a middle and a direction, its ends along the directions that are contracted there; `None` where these turn too much.
+/// H-set with a middle and a direction, with ends along the contracting directions; `None` where a contracting direction rotates too much.
 fn aligned(
     guess: &Guess,
     making: Making,
@@ -111,7 +111,7 @@ fn aligned(
     Some(HSet { left: end(-1.0)?, right: end(1.0)? })
 }
 
-/// The words that an orbit's points in an h-set are seen to make, in coordinates of the h-set: in a row, across it, at one time.
+/// Words that an orbit's points in an h-set seem to make, in coordinates of the h-set: consecutive points that cross at one time.
 fn returning_words(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], depth: usize) -> Vec<Path> {
     let mut taken = vec![false; inside.len()];
     let mut words = Vec::new();

@@ -72,7 +72,7 @@ fn turn() -> Ball {
     Number::turn(&Ball::exact(0.0))
 }
 
-/// Returns whether all members are positive; `false` for a NaN.
+/// Whether all members are positive; `false` for a NaN.
 pub(crate) fn is_positive(x: Ball) -> bool {
     x.mid() > x.rad()
 }
@@ -84,7 +84,7 @@ impl Flights {
 }
 
 impl<const M: usize> Flights<M> {
-    /// Returns the flights of states that are displaced by `moved` for the radius of each parameter.
+    /// Flights of states that are displaced by `moved` for the radius of each parameter.
     pub fn moved(law: &Law, quad: &Quad, moved: [State; M]) -> Self {
         let e = law.restitution;
         let [start, speed] = quad.centre;
@@ -144,7 +144,7 @@ impl<const M: usize> Flights<M> {
         [turn() * time, turn() * time.widened(self.radius)]
     }
 
-    /// Returns where all flights are at one phase after their starts. Lemma D1
+    /// Encloses height and velocity of all flights at one phase after their starts. Lemma D1
     pub fn at(&self, phase: f64) -> View {
         let (sin, cos) = Ball::exact(phase).sin_cos();
         let [own, all] = self.ahead(phase);
@@ -157,12 +157,12 @@ impl<const M: usize> Flights<M> {
         View { height: centre.widened(spread), rate, bend: sin.mag() }
     }
 
-    /// Returns whether all members of a height are between the walls.
+    /// Whether all members of a height are between the walls.
     fn is_inside(&self, height: Ball) -> bool {
         is_positive(height) && is_positive(self.gap - height)
     }
 
-    /// Returns the heights and velocities from one phase to another.
+    /// Encloses heights and velocities from one phase to another.
     pub fn over(&self, from: f64, to: f64) -> View {
         let middle = 0.5 * (from + to);
         let radius = up((middle - from).max(to - middle)); // D1: the farther end
@@ -174,9 +174,8 @@ impl<const M: usize> Flights<M> {
         view
     }
 
-    /// Returns a phase up to which all flights are proved to be on their way between the walls, and away from the start. Lemma D2
-    ///
-    /// It is later than all starts; `None` where no such phase is proved.
+    /// Phase up to which all flights are proved to be between the walls, and away from the start. Lemma D2\n\nThe phase is later than all starts;
+    /// `None` where no such phase is proved.
     pub fn depart(&self) -> Option<f64> {
         let (least, most) = (self.least, self.after.mag());
         let [down, below] = [self.sin, self.cos].map(|x| (x.rad() - x.mid()).max(0.0)); // D2: how far below 0
@@ -194,7 +193,7 @@ impl<const M: usize> Flights<M> {
         None
     }
 
-    /// Returns whether even a ball without velocity leaves, and stays away for this angle, in radians: by a lower bound of `z/x^2`.
+    /// Whether even a ball without velocity leaves, and stays away for this angle, in radians: by a lower bound of `z/x^2`.
     fn leaves(&self, angle: f64) -> bool {
         let least = (self.sin.mid() - self.sin.rad()) * (0.5 - angle * angle / 24.0) * (1.0 - 4.0 * UNIT);
         least > up(self.cos.mag() * angle / 6.0)
@@ -222,7 +221,7 @@ impl<const M: usize> Flights<M> {
         true
     }
 
-    /// Returns the first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
+    /// Encloses the first contacts of all flights, near a guess, proved to be on one wall and transversal. Lemma D3
     pub fn land(&self, side: Side, guess: f64) -> Option<Landing<M>> {
         let sign = side.sign();
         let (wall, loose) = match side {
@@ -290,7 +289,7 @@ impl<const M: usize> Flights<M> {
         self.gap
     }
 
-    /// Returns bounds of the times of flight, in forcing periods, of what lands between two phases.
+    /// Bounds of the times of flight, in forcing periods, of landings between two phases.
     pub fn times(&self, low: f64, high: f64) -> [f64; 2] {
         let [least, most] = [low - self.start - self.radius, high - self.start + self.radius];
         // D4: a phase is off by at most a unit, four times
@@ -321,7 +320,7 @@ impl<const M: usize> Landing<M> {
         self.projected(normal, point, |_, change| change)
     }
 
-    /// Returns the image of a vector by the derivative of the map at any of the states. Lemma D24
+    /// Encloses the image of a vector by the derivative of the map at any of the states. Lemma D24
     pub fn derivative(&self, [u, w]: [Ball; 2]) -> [Ball; 2] {
         let [[delay_u, speed_u], [delay_w, speed_w]] = self.units;
         self.sheared([u * delay_u + w * delay_w, u * speed_u + w * speed_w])
@@ -341,7 +340,7 @@ impl<const M: usize> Landing<M> {
         [delay, speed + delay * self.slope]
     }
 
-    /// Returns the same where `p` is displaced by `moved` for the radius of each parameter, as the images are. Lemma D15
+    /// Holds `n (x - p)` for all images `x`, where `moved` displaces `p` for the radius of each parameter. Lemma D15
     pub fn beside(&self, [n, m]: [Ball; 2], point: [Ball; 2], moved: [State; M]) -> Ball {
         let from = |k: usize, change: Ball| {
             let [u, w] = moved[k].map(Ball::exact);

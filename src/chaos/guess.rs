@@ -24,7 +24,7 @@ pub(crate) struct Guess {
 /// The image of a state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Image {
-    /// The phase goes on from that of the start; half a forcing period is added where the far wall is touched.
+    /// Phase and speed. The phase goes on from the start's; half a forcing period is added where the far wall is touched.
     pub state: State,
     pub side: Side,
     /// The derivative of phase in forcing periods and speed over `A W`.
@@ -39,7 +39,7 @@ impl Guess {
         Self { pair, radii: [law.gap.rad(), law.restitution.rad()] }
     }
 
-    /// Returns the next impact; `None` where none is found, or with no speed.
+    /// State at the next impact; `None` where no impact is found, or its speed is 0.
     pub fn map(&self, [start, speed]: State) -> Option<Image> {
         let Reduced { beta, restitution, .. } = self.pair;
         let whole = start.floor();
@@ -64,7 +64,7 @@ impl Guess {
         Some(Image { state, side, jacobian: [[a, -b * beta], [sign * c / beta, -sign * d]], moved })
     }
 
-    /// Returns the direction that N flights ahead contract most, of length 1 in radians and speeds, its speed not negative.
+    /// Direction that `ahead` flights contract most, of length 1 in radians and speeds, its speed not negative.
     pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
         let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
         let mut at = state;

@@ -16,20 +16,20 @@ use crate::orbit::Start;
 use crate::pair::ImpactPair;
 use crate::watch::{Latched, Silent, Stage, Watch};
 
-/// The settings of a search for horseshoes.
+/// Settings of a search for horseshoes.
 #[derive(Clone, Debug)]
 pub struct HorseshoeSettings {
     /// Maximum number of impacts of a word; `None`: as many as about a million boxes lead to.
     pub depth: Option<usize>,
-    /// The h-sets; searched for if empty.
+    /// H-sets; searched for if empty.
     pub bases: Vec<HSet>,
 }
 
-/// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is that of a true motion.
+/// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is the itinerary of a motion.
 ///
-/// **Enclosure**: for every parameter of the pair, and every sequence of words each of which starts in the h-set that the
-/// one before covers, there is a motion with these impacts, no other contact between them; a periodic sequence has a periodic
-/// motion. Motions of different sequences are different. The topological entropy of the impact map on a compact invariant set
+/// **Enclosure**: take any parameter of the pair, and any sequence of words of which each starts in the h-set that the word before covers.\nThen
+/// there is a motion with exactly these impacts; a periodic sequence has a periodic\nmotion. Motions of different sequences are different. The
+/// topological entropy of the impact map on a compact invariant set
 /// without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
 /// **Cost**: about 10 microseconds per box; if no h-sets are given, some hundred thousand boxes to find them.
 ///
@@ -71,7 +71,7 @@ pub struct Chaos {
 const QUICK_LIMITS: (usize, u64) = (12, 12_000);
 
 impl Chaos {
-    /// Returns the words of at most N impacts.
+    /// Proves the words of at most `depth` impacts.
     ///
     /// `watch` receives the depth and the number of boxes, and may stop it; results proved so far
     /// are kept. If no h-sets are given and the floating-point orbit is regular, there are no words.
@@ -105,7 +105,7 @@ impl Chaos {
         Ok(Self { exponent, attractor, asymptotics, is_interrupted: watch.is_stopped(), ..proved })
     }
 
-    /// Returns the words and bounds of the entropy that these h-sets lead to.
+    /// Proves the words between these h-sets, and bounds of the entropy.
     pub(super) fn proved(law: &Law, bases: Vec<HSet>, depth: Option<usize>, watch: &dyn Watch) -> Self {
         let Tried { search, depth, is_stopped: is_interrupted } = deepest(law, &bases, depth, watch);
         let entropy = entropies(&search);
@@ -115,7 +115,7 @@ impl Chaos {
         Self { bases, words, depth, boxes, is_interrupted, entropy, exponent, attractor, tubes, asymptotics }
     }
 
-    /// Returns the same of a scene.
+    /// Proves the words of a scene's pair, with the scene's start.
     ///
     /// # Errors
     /// As [`Chaos::of`].
@@ -123,63 +123,63 @@ impl Chaos {
         Self::of(scene.pair(), scene.start(), request, watch)
     }
 
-    /// Returns the h-sets, each disjoint from the others.
+    /// The h-sets, each disjoint from the others.
     pub fn bases(&self) -> &[HSet] {
         &self.bases
     }
 
-    /// Returns all words that are proved.
+    /// All proved words.
     pub fn words(&self) -> &[Word] {
         &self.words
     }
 
-    /// Returns the number of impacts up to which all words were searched for.
+    /// Number of impacts up to which all words were searched for.
     pub fn depth(&self) -> usize {
         self.depth
     }
 
-    /// Returns the number of boxes mapped.
+    /// Number of mapped boxes.
     pub fn boxes(&self) -> u64 {
         self.boxes
     }
 
-    /// Returns whether it was stopped before the depth that was requested.
+    /// Whether the search was stopped before the requested depth.
     pub fn is_interrupted(&self) -> bool {
         self.is_interrupted
     }
 
-    /// Returns a lower bound of the topological entropy per impact; 0 if none is proved.
+    /// Lower bound of the topological entropy per impact; 0 if none is proved.
     pub fn entropy(&self) -> f64 {
         self.entropy[0]
     }
 
-    /// Returns a lower bound of the topological entropy per forcing period; 0 if none is proved.
+    /// Lower bound of the topological entropy per forcing period; 0 if none is proved.
     pub fn entropy_a_cycle(&self) -> f64 {
         self.entropy[1]
     }
 
-    /// Returns the Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
+    /// Lyapunov exponent per impact of the floating-point orbit: non-rigorous.
     pub fn exponent(&self) -> Option<f64> {
         self.exponent
     }
 
-    /// Returns the floating-point orbit.
+    /// States of the floating-point orbit.
     pub fn attractor(&self) -> &[State] {
         &self.attractor
     }
 
-    /// Returns the middles of the first chains of boxes.
+    /// Middles of the first cell chains.
     pub fn tubes(&self) -> &[Vec<State>] {
         &self.tubes
     }
 
-    /// Returns the two blocks with the fewest impacts that can follow one another in any order in the reduced map. A block is a sequence
-    /// of walls and a number of half forcing periods, written as starting on the left wall, and mirrored where it starts on the right one.
+    /// The two blocks with the fewest impacts that can follow one another in any order in the reduced map. A block is a sequence of walls and\na
+    /// number of half forcing periods. Each block is written as starting on the left wall; where it starts on the right wall, it is mirrored.
     pub fn horseshoe(&self) -> Option<[&Word; 2]> {
         horseshoe(&self.words, self.bases.len())
     }
 
-    /// Returns the result for the scene's own orbit: whether it visits the horseshoe.
+    /// Limit of the orbit from the scene's start, as far as proved.
     pub fn asymptotics(&self) -> &Asymptotics {
         &self.asymptotics
     }
@@ -195,7 +195,7 @@ pub struct Horseshoe {
 }
 
 impl Horseshoe {
-    /// Returns the horseshoe of words of at most N impacts between h-sets; `None` where none is proved. Lemmas D9-D11
+    /// Proves the horseshoe of words of at most `depth` impacts between h-sets; `None` where none is proved. Lemmas D9-D11
     pub(super) fn of(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
@@ -205,7 +205,7 @@ impl Horseshoe {
         (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
     }
 
-    /// Returns the same if few boxes lead to one. Lemmas D9-D11
+    /// Proves a horseshoe as [`of`](Self::of) does, if few boxes are enough. Lemmas D9-D11
     pub(super) fn quick(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
@@ -226,7 +226,7 @@ pub(super) fn bases(seen: &AttractorOrbit, law: &Law, depth: usize, effort: Effo
     seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
 }
 
-/// Returns the fault of h-sets, in words, or `None` if they are sound. Lemma D9
+/// Fault of h-sets, in words, or `None` if they are sound. Lemma D9
 pub(super) fn problem(bases: &[HSet]) -> Option<&'static str> {
     if !bases.iter().all(HSet::is_convex) {
         return Some("the h-sets are not all convex quadrilaterals with their tops on the left from left to right");

@@ -22,7 +22,7 @@ impl<'s> Indexed<'s> {
         Self { seen, order }
     }
 
-    /// Returns the numbers of the points whose phases, modulo 1, differ from this one by at most `reach`.
+    /// Numbers of the points whose phases, modulo 1, differ from this one by at most `reach`.
     pub fn within(&self, phase: f64, reach: f64) -> impl Iterator<Item = usize> {
         let phase = phase.rem_euclid(1.0);
         let reach = reach.min(0.5);
@@ -33,7 +33,7 @@ impl<'s> Indexed<'s> {
         })
     }
 
-    /// Returns the point that is nearest to a state, with its expanding direction; `None` of an orbit without points.
+    /// Point that is nearest to a state, with its expanding direction; `None` of an orbit without points.
     pub fn nearest(&self, at: State) -> Option<(State, State)> {
         let mut reach = 1.0 / 256.0;
         loop {

@@ -8,7 +8,7 @@ fn walls(word: &Word) -> Vec<bool> {
     word.mappings().iter().map(|mapping| mapping.walls().0 == Wall::Right).collect()
 }
 
-/// Returns the word of a motion or of its mirror image, whichever is the first one in the alphabet of L and R, from that impact on that makes it so.
+/// First word, in the alphabet of L and R, of all rotations of a motion's word and of its mirror image's.
 pub(super) fn word_of_both(word: &Word) -> Word {
     let [word, mirrored] = [word, &mirrored(word)].map(rotated_to_its_least);
     if walls(&word) <= walls(&mirrored) { word } else { mirrored }
@@ -23,7 +23,7 @@ fn mirrored(word: &Word) -> Word {
     Word::new(word.mappings().iter().map(mirror).collect()).expect("the mirror image of a closed word is closed")
 }
 
-/// Returns a word from that impact on that makes it the first one in the alphabet of L and R.
+/// First word, in the alphabet of L and R, of all rotations of a word.
 pub(super) fn rotated_to_its_least(word: &Word) -> Word {
     let mappings = word.mappings();
     let rotated = |shift: usize| mappings.iter().cycle().skip(shift).take(mappings.len()).copied();

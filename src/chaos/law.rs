@@ -29,7 +29,7 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// Returns the sign of the speed at which a flight arrives, where the wall it leaves is at 0 and the other one above.
+    /// Sign of the speed at which a flight arrives, where the wall it leaves is at 0 and the other one above.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Near => -1.0,

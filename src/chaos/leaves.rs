@@ -1,5 +1,5 @@
-//! H-sets about clusters of leaves, measured from a floating-point orbit: where an attractor is of bundles of leaves with gaps between,
-//! one h-set for each bundle.
+//! H-sets about clusters of leaves, measured from a floating-point orbit. Where an attractor consists of bundles of leaves with gaps
+//! between,\neach bundle has one h-set.
 //!
 //! Labels: proposes throughout.
 
@@ -25,7 +25,7 @@ const DIRECTION_IMPACTS: usize = 12;
 const COUNTED_POINTS: usize = 60_000;
 const WORD_IMPACTS: usize = 64;
 const MIN_LEAVES: usize = 100;
-/// Leaves are distinguished in this part of an h-set, where they lean no more than that; then they are followed to its ends.
+/// Leaves are distinguished in this central part of an h-set, where their slopes are at most `MAX_SLOPE`, and then followed to its ends.
 const CENTRAL_PART: f64 = 0.3;
 const MAX_SLOPE: f64 = 0.3;
 const FOLLOWED_PARTS: [f64; 3] = [0.3, 0.6, 1.05];
@@ -141,20 +141,20 @@ impl<'s> Window<'s> {
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]
     }
 
-    /// Returns the h-set of a cluster.
+    /// The h-set of a cluster.
     pub fn base(&self, cluster: &Cluster) -> HSet {
         let at = [0, 1].map(|i| self.centre[i] + cluster.middle * self.across[i]);
         let own = [0, 1].map(|i| cluster.long * (self.along[i] + cluster.slope * self.across[i]));
         HSet::new(at, own, self.across.map(|x| x * cluster.width))
     }
 
-    /// Returns the entropy of the words that are seen.
+    /// Entropy of the words that are seen, per impact.
     pub fn entropy(&self, clusters: &[Cluster], impacts: usize) -> f64 {
         let words: Vec<Path> = (0..clusters.len()).flat_map(|from| self.words(clusters, from, impacts)).collect();
         entropy(&words, clusters.len(), |word| word.sides.len() as i64)
     }
 
-    /// The words that the orbit's points in one of them are seen to make: in a row, across an h-set, at one time.
+    /// Words that the orbit's points in cluster `from` are seen to make: consecutive points that cross a cluster at one time.
     fn words(&self, clusters: &[Cluster], from: usize, impacts: usize) -> Vec<Path> {
         let is_inside = |[xi, eta, _]: [f64; 3]| clusters[from].in_coordinates([xi, eta]).iter().all(|x| x.abs() < 1.0);
         let central = self.central(clusters[from].long).iter();
@@ -175,7 +175,7 @@ impl<'s> Window<'s> {
         words
     }
 
-    /// Returns the leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
+    /// Leaves in a place of this half length and half width beside the middle one; `None` if there are too few.
     pub fn leaves(&self, [long, beside]: [f64; 2]) -> Option<Leaves> {
         let central =
             self.central(CENTRAL_PART * long).iter().map(|(_, at)| at).filter(|[_, _, slope]| slope.abs() < MAX_SLOPE);
@@ -196,7 +196,7 @@ impl<'s> Window<'s> {
         Some(Leaves { long, beside, sorted, widest })
     }
 
-    /// Returns the clusters of leaves that gaps part: bit `n` of `cuts` says whether the gap with `n` wider ones does.
+    /// Clusters of leaves between gaps: bit `n` of `cuts` says whether the gap with `n` wider ones separates clusters.
     pub fn clusters(&self, leaves: &Leaves, cuts: u32) -> Vec<Cluster> {
         leaves.bunches(cuts).iter().map(|bunch| self.cluster(leaves.long, bunch)).collect()
     }
@@ -280,7 +280,7 @@ mod tests {
     use crate::chaos::law::Law;
     use crate::number::Ball;
 
-    /// N images, evenly from one place to another.
+    /// `count` images, evenly from one place to another.
     fn row(from: f64, to: f64, count: usize) -> Vec<[f64; 2]> {
         (0..count).map(|k| [from + (to - from) * k as f64 / (count - 1) as f64, 0.0]).collect()
     }

@@ -1,4 +1,4 @@
-//! The next chain of boxes, proposed in doubles: the images of chords, refined where they are stretched and cut where the map jumps.
+//! The next cell chain, proposed in doubles: the images of chords, refined where they are stretched and cut where the map jumps.
 //!
 //! Labels: proposes throughout.
 
@@ -8,7 +8,7 @@ use super::quad::{Chord, State};
 use super::tube::{BoxChain, Part};
 use super::vector::{applied, cross, length, minus, radians};
 
-/// The settings by which chains of boxes are made.
+/// Settings by which cell chains are made.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Making {
     /// Cells are about as long at most, phases in radians.
@@ -22,7 +22,7 @@ pub(crate) struct Making {
     pub ahead: usize,
 }
 
-/// A chain of boxes where the image of a stretch may lie.
+/// Proposed cell chain for the image of a stretch of another cell chain.
 pub(crate) struct Proposal {
     pub parts: Vec<Part>,
     pub side: Side,
@@ -37,9 +37,9 @@ struct Sample {
     image: Option<Image>,
 }
 
-/// Factor by which parts at the ends of a chain of boxes are shorter: some cells are lost there with each impact, and words begin near grazes.
+/// Factor by which parts at the ends of a cell chain are shorter: some cells are lost there with each impact, and words begin near grazes.
 const END_GRADING: f64 = 0.001;
-/// Fewer parts than that are not worth a chain of boxes.
+/// Least number of parts of a proposed cell chain.
 const MIN_PARTS: usize = 12;
 /// Parts of one image that are looked at: where the map contracts to a line (e = 0), none is short enough to be straight.
 const MAX_PARTS: usize = 1 << 18;
@@ -51,7 +51,7 @@ struct Parts {
 }
 
 impl Making {
-    /// Returns the chains of boxes that hold the images of a chain of boxes, about.
+    /// Proposes the cell chains that hold the images of a cell chain.
     pub fn images(&self, guess: &Guess, tube: &BoxChain) -> Vec<Proposal> {
         let mut parts = Parts { segments: vec![Vec::new()], seen: 0 };
         for cell in 0..tube.cells() {
@@ -103,7 +103,7 @@ impl Making {
         length(minus(a.state, b.state)) > self.longest
     }
 
-    /// Returns whether a part is short and straight enough; `None` where the map jumps in it.
+    /// Whether a part is short and straight enough; `None` where the map jumps in it.
     fn is_fine(&self, from: &Sample, between: &Sample, to: &Sample, is_end: bool) -> Option<bool> {
         let (a, m, b) = (from.image?, between.image?, to.image?);
         if a.side != b.side || a.side != m.side {

@@ -2,20 +2,20 @@
 
 use crate::number::{TINY, UNIT, up};
 
-/// A phase in forcing periods, and the speed before the impact over `A W`.
+/// State of the reduced map: phase in forcing periods, and speed before the impact over `A W`.
 pub type State = [f64; 2];
 
-/// The segment across a chain of boxes, from its lower to its upper end.
+/// Segment across a cell chain, from its lower to its upper end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord {
-    /// The end on the right, seen along the chain of boxes.
+    /// End on the right, seen along the cell chain.
     pub bottom: State,
-    /// The end on the left.
+    /// End on the left.
     pub top: State,
 }
 
-/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and what lies within `slack` of one of them: of all
-/// these those that are not slower than `floor`. A quadrilateral has `c = ab`.
+/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and all states within `slack` of one of them, unless slower\nthan
+/// `floor`. A quadrilateral has `c = ab`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quad {
     pub centre: State,
@@ -31,7 +31,7 @@ pub(super) fn each(f: impl Fn(usize) -> f64) -> State {
 }
 
 impl Quad {
-    /// Returns the rectangle of these radii.
+    /// The rectangle of these radii.
     pub fn rectangle(centre: State, radii: State, floor: f64) -> Self {
         Self { centre, sides: [[radii[0], 0.0], [0.0, radii[1]]], twist: [0.0; 2], slack: [0.0; 2], floor }
     }
@@ -62,7 +62,7 @@ impl Quad {
         }
     }
 
-    /// Returns bounds of the distances from the centre, if that is displaced by `moved` in one or two directions.
+    /// Bounds of the distances from the centre, if the centre is displaced by `moved` in one or two directions.
     pub fn radii(&self, moved: &[State]) -> State {
         let by = |i: usize| moved.iter().map(|by| by[i].abs()).sum::<f64>();
         each(|i| up(self.sides[0][i].abs() + self.sides[1][i].abs() + self.twist[i].abs() + self.slack[i] + by(i)))

@@ -24,12 +24,12 @@ pub enum NoTrap {
     Elastic,
     /// The scene's orbit has no impact that is seen.
     NoImpact,
-    /// It was stopped.
+    /// The search was stopped.
     Interrupted,
 }
 
 impl NoTrap {
-    /// Returns the reason in words.
+    /// The reason in words, for messages.
     pub fn words(self) -> &'static str {
         match self {
             Self::Rest => "in the finest grid a ball may come to rest",

@@ -20,9 +20,9 @@ use crate::watch::Watch;
 
 /// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
 ///
-/// **Enclosure**: a motion with one impact in the region has all its later ones there, without end. None comes to rest, none
-/// has infinitely many impacts in a finite time; each flight lasts as long and each impact is as fast as [`Trap::flight`] and
-/// [`Trap::speed`] say, in forcing periods and over `A W`. At a graze both continuations are in it. Lemmas D4, D5
+/// **Enclosure**: a motion with one impact in the region has all its later impacts there, without end. None comes to rest, none\nhas infinitely
+/// many impacts in a finite time. [`Trap::flight`] bounds all times of flight, in forcing periods, and\n[`Trap::speed`] all speeds before
+/// impacts, over `A W`. At a graze both continuations are in the region. Lemmas D4, D5
 /// **Cost**: about 2 microseconds a box.
 ///
 /// ```
@@ -50,11 +50,11 @@ pub struct Trap {
 /// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
 const COARSEST_GRID: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
-/// Floating impacts before the region is grown from where the ball is.
+/// Impacts in floating point before the region is grown from the ball's state.
 const TRANSIENT: usize = 2000;
 
 impl Trap {
-    /// Returns a region around what attracts the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
+    /// Proves a region around the attractor of the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
     ///
     /// `watch` receives the number of boxes, and may stop it.
     ///
@@ -64,7 +64,7 @@ impl Trap {
         Self::of_pair(scene.pair(), scene.start(), finer, watch)
     }
 
-    /// Returns the same of a pair, for all its parameters at once.
+    /// Proves a region of a pair, for all its parameters at once.
     ///
     /// # Errors
     /// As [`Trap::of`].
@@ -121,45 +121,45 @@ impl Trap {
         Self { region, flight, entered, coarser: None }
     }
 
-    /// Its boxes.
+    /// The boxes.
     pub(super) fn region(&self) -> &Region {
         &self.region
     }
 
-    /// Returns why no region of the finer grid that was requested is proved; `None` where this one is of that grid.
+    /// Reason why no region of the requested finer grid is proved; `None` where this region is of that grid.
     pub fn coarser(&self) -> Option<NoTrap> {
         self.coarser
     }
 
-    /// Returns how many boxes it has.
+    /// Number of boxes.
     pub fn boxes(&self) -> usize {
         self.region.cells.len()
     }
 
-    /// Returns the columns of the grid in a forcing period, and its rows in a speed of `A W`.
+    /// Columns of the grid in a forcing period, and rows of the grid in a speed of `A W`.
     pub fn grid(&self) -> (i64, f64) {
         (self.region.grid.columns, self.region.grid.rows)
     }
 
-    /// Returns bounds of the times of all flights, in forcing periods.
+    /// Bounds of the times of all flights, in forcing periods.
     pub fn flight(&self) -> [f64; 2] {
         self.flight
     }
 
-    /// Returns bounds of the speeds before all impacts, over `A W`.
+    /// Bounds of the speeds before all impacts, over `A W`.
     pub fn speed(&self) -> [f64; 2] {
         let rows = self.region.cells.keys().map(|&(_, row)| f64::from(row));
         let [low, high] = rows.fold([f64::INFINITY, 0.0], |[a, b], row| [a.min(row), b.max(row + 1.0)]); // D5: the outer ends
         [low / self.region.grid.rows, high / self.region.grid.rows] // exact: a power of two
     }
 
-    /// Returns the impact of the scene's own orbit from which on all are in the region, 0 for its start; `None` if none of the first
-    /// hundred is proved to be.
+    /// Impact of the scene's own orbit from which on all impacts are in the region, 0 for the start; `None` if none of the first\nhundred impacts
+    /// is proved to be.
     pub fn entered(&self) -> Option<u64> {
         self.entered
     }
 
-    /// Returns whether all states of an h-set are proved to be in it. Lemma D13
+    /// Whether all states of an h-set are proved to be in the region. Lemma D13
     pub fn holds(&self, base: &HSet) -> bool {
         let Grid { columns, rows } = self.region.grid;
         let round = [base.left.bottom, base.right.bottom, base.right.top, base.left.top];
@@ -185,7 +185,7 @@ impl Trap {
         across.into_iter().all(|column| up.clone().all(|row| holds(column, row) || is_outside(column, row)))
     }
 
-    /// Returns its boxes: runs of rows, the first and the last one, by column.
+    /// Boxes as runs of rows by column, each run by its first and its last row.
     pub fn columns(&self) -> BTreeMap<i32, Vec<(i32, i32)>> {
         let mut rows: BTreeMap<i32, Vec<i32>> = BTreeMap::new();
         for &(column, row) in self.region.cells.keys() {
@@ -214,7 +214,7 @@ fn grown(law: &Law, doubled: u32, seed: [f64; 2], watch: &dyn Watch) -> Result<R
 }
 
 impl Region {
-    /// Returns `Some(true)` if all states with such a phase and speed are proved to be in it, `Some(false)` if none of them is; else `None`.
+    /// `Some(true)` if all states with such a phase and speed are proved to be in the region, `Some(false)` if none of them is; else `None`.
     pub(super) fn holds(&self, phase: Ball, speed: Ball) -> Option<bool> {
         let Grid { columns, rows } = self.grid;
         let cells = |x: Ball, per: f64| {

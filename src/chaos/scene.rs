@@ -14,7 +14,7 @@ const MAP_NAME: &str = "the reduced impact map";
 pub(super) const ORBIT_IMPACTS: u64 = 100;
 
 impl Law {
-    /// Returns the law of a pair with one harmonic.
+    /// The law of a pair with one harmonic.
     ///
     /// # Errors
     /// With several harmonics, where the amplitude may be 0: lengths are in amplitudes, and if `A/d` is beyond `2^400`.
@@ -36,7 +36,7 @@ pub(crate) struct Visited {
 }
 
 impl Visited {
-    /// Returns a state in it, about the middle.
+    /// A state in the enclosure, near its middle.
     pub fn middle(&self) -> State {
         [self.phase.mid(), self.speed.mid().abs()]
     }

@@ -6,21 +6,21 @@ use super::guess::Guess;
 use super::quad::State;
 use super::vector::{GENERIC, applied, length};
 
-/// Impacts before the orbit is looked at, and how many are.
+/// Impacts before the orbit is looked at, and number of impacts that are looked at.
 const TRANSIENT: usize = 2000;
 const OBSERVED_IMPACTS: usize = 100_000;
 /// An orbit that expands less, an impact, is regular.
 const MIN_EXPONENT: f64 = 1e-3;
 
-/// A floating-point orbit on what attracts it, phases modulo 1, with its expanding directions.
+/// Floating-point orbit on the attractor, phases modulo 1, with its expanding directions.
 #[derive(Debug)]
 pub(crate) struct AttractorOrbit {
     pub points: Vec<(State, State)>,
-    /// The Lyapunov exponent per impact.
+    /// Lyapunov exponent per impact.
     pub exponent: f64,
 }
 
-/// The floating-point orbit from a state; `None` where it ends.
+/// Floating-point orbit from a state; `None` where it ends.
 pub(crate) fn seen(guess: &Guess, start: State) -> Option<AttractorOrbit> {
     let (mut state, mut direction, mut sum) = (start, GENERIC, 0.0);
     let mut points = Vec::with_capacity(OBSERVED_IMPACTS);
@@ -34,7 +34,7 @@ pub(crate) fn seen(guess: &Guess, start: State) -> Option<AttractorOrbit> {
     Some(AttractorOrbit { points, exponent: sum / OBSERVED_IMPACTS as f64 })
 }
 
-/// One impact further, with the direction that expands; by how much it does.
+/// Maps a state and its expanding direction over one impact; returns the growth.
 pub(super) fn step(guess: &Guess, state: &mut State, direction: &mut State) -> Option<f64> {
     let image = guess.map(*state)?;
     let image_of = applied(image.jacobian, *direction);
@@ -45,12 +45,12 @@ pub(super) fn step(guess: &Guess, state: &mut State, direction: &mut State) -> O
 }
 
 impl AttractorOrbit {
-    /// Returns the orbit's states.
+    /// States of the orbit.
     pub fn states(self) -> Vec<State> {
         self.points.into_iter().map(|(state, _)| state).collect()
     }
 
-    /// Returns whether neighbours part.
+    /// Whether neighbouring orbits separate exponentially: the exponent exceeds `MIN_EXPONENT`.
     pub fn is_chaotic(&self) -> bool {
         self.exponent > MIN_EXPONENT
     }

@@ -24,8 +24,8 @@ const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 /// Numbers of phases and of speeds, up to half of the greatest one that motions have in the end, at which orbits of a pair begin.
 const START_GRID: [usize; 2] = [4, 3];
 
-/// Returns the period of a stable orbit that each pair of a law has, near the one that the orbit of a state settles on in floating point; `None`
-/// where none is proved. Lemma D15
+/// Proves the period of a stable orbit of each pair of a law, near the orbit that `start` settles on in floating point. `None` where\nnone is
+/// proved. Lemma D15
 pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<StablePeriod> {
     if law.restitution.mid() >= 1.0 {
         return None; // exact: nothing is contracted without a loss of speed
@@ -33,9 +33,9 @@ pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<Stabl
     around(law, settled(&Guess::new(law), start)?[0], watch)
 }
 
-/// Returns the words of stable periodic orbits that a pair has for all its parameters, in the alphabet of L and R, each that of the orbit or of
-/// its mirror image that comes first, and how many cycles each takes: of those that floating-point orbits from several states settle on. No two
-/// are of one orbit. Lemmas D15, A21
+/// Proves words and forcing periods of stable periodic orbits that a pair has for all its parameters, no two of one orbit. Candidates\nare the
+/// orbits that floating-point orbits from several states settle on. Of the words of an orbit and its mirror image, the first in the\nalphabet of
+/// L and R. Lemmas D15, A21
 ///
 /// # Errors
 /// With several harmonics, and when a value is beyond the range of flights.
@@ -50,7 +50,7 @@ pub fn stable_orbits(pair: &ImpactPair, watch: &dyn Watch) -> Result<Vec<(Word, 
     Ok(distinct(found))
 }
 
-/// The words of periods and how many cycles each takes, the shortest first, without those that may be of an orbit that is listed. Lemma A21
+/// Words and forcing periods of orbits, the shortest first, without those that may be of an orbit that is listed. Lemma A21
 fn distinct(mut periods: Vec<StablePeriod>) -> Vec<(Word, u32)> {
     periods.sort_by_key(|own| (own.word.mappings().len(), own.cycles, own.word.to_string(), !own.is_least));
     let mut found: Vec<(Word, u32)> = Vec::new();
@@ -68,7 +68,7 @@ fn distinct(mut periods: Vec<StablePeriod>) -> Vec<(Word, u32)> {
     found
 }
 
-/// Returns the cycles that floating-point orbits from several states settle on, each once, as states.
+/// Cycles that floating-point orbits from several states settle on, each once, as states.
 pub(super) fn settled_orbits(law: &Law) -> Vec<Vec<State>> {
     let guess = Guess::new(law);
     let fastest = 1.0 / (1.0 - law.restitution.mid()); // proposes: where orbits begin
@@ -83,13 +83,13 @@ pub(super) fn settled_orbits(law: &Law) -> Vec<Vec<State>> {
     found
 }
 
-/// The orbit that sets around a state are proved to be contracted to. Lemma D15
+/// Periodic orbit to which sets around a state are proved to contract. Lemma D15
 fn around(law: &Law, state: State, watch: &dyn Watch) -> Option<StablePeriod> {
     let [phase, speed] = state.map(Ball::exact);
     attracted(law, &Visited { index: 1, wall: Wall::Left, phase, speed }, watch)
 }
 
-/// The states of the floating-point orbit, if it comes to one that it has again, from this one on.
+/// States of the floating-point cycle that the orbit from `start` settles on, if it closes.
 fn settled(guess: &Guess, start: State) -> Option<Vec<State>> {
     // proposes: where sets begin
     let next = |state: State| Some(guess.map(state)?.state).map(|[phase, speed]| [phase.rem_euclid(1.0), speed]);

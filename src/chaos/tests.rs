@@ -59,7 +59,7 @@ pub(super) fn truth(law: &Law, [phase, speed]: State) -> Option<(Side, [Ball; 2]
     })
 }
 
-/// Returns whether two enclosures of one number have a member in common, up to rounding.
+/// Whether two enclosures of one number have a member in common, up to rounding.
 pub(super) fn meet(a: Ball, b: Ball) -> bool {
     (a.mid() - b.mid()).abs() <= a.rad() + b.rad() + 1e-15
 }
@@ -188,7 +188,7 @@ fn the_shortest_horseshoe_of_figure_14() {
     assert!(cycle <= std::f64::consts::LN_2 && cycle > std::f64::consts::LN_2 - 1e-9);
 }
 
-/// An h-set that is moved across the leaves, or turned, is crossed no more.
+/// An h-set that is moved across the leaves, or rotated, is crossed no more.
 #[test]
 fn moved_h_sets_give_less_entropy() {
     let entropy_of = |change: &dyn Fn(HSet) -> HSet| by_impact(&words(&figure_14(), &bases().map(change), 3), 3);
@@ -204,7 +204,7 @@ fn moved_h_sets_give_less_entropy() {
     assert_eq!(entropy_of(&moved(-0.02)), 0.0);
 }
 
-/// Tubes that are right for one pair are wrong for another, and with a cell left out.
+/// Cell chains that are right for one pair are wrong for another, and with a cell left out.
 #[test]
 fn corrupted_chains_of_boxes_are_refused() {
     let law = figure_14();
@@ -279,7 +279,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     }
 }
 
-/// Lemma D13: the scene's orbit and the h-sets are in one region; an h-set that is moved away is not.
+/// Lemma D13: the scene's orbit and the h-sets are in one region; a displaced h-set is not.
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
     let question = HorseshoeSettings { depth: Some(3), bases: bases().to_vec() };

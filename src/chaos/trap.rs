@@ -33,14 +33,14 @@ pub(crate) struct Reach {
 /// Flights that land in a column of phases.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrivals {
-    /// Counted on from that of the start, where they land.
+    /// Column of the landing, counted on from the start's forcing period.
     pub column: i64,
     pub side: Side,
     /// Bounds of their speeds.
     pub speeds: [f64; 2],
 }
 
-/// Flights of more forcing periods are not followed.
+/// Greatest time of flight that is followed, in forcing periods.
 const MAX_FLIGHT: f64 = 64.0;
 /// The most rows that are counted.
 const MAX_ROWS: f64 = 2_147_483_647.0;
@@ -48,13 +48,13 @@ const MAX_ROWS: f64 = 2_147_483_647.0;
 const MAX_CUTS: u32 = 6;
 
 impl Grid {
-    /// Returns the boxes that hold a state.
+    /// Box that holds a state.
     pub fn cell(&self, phase: f64, speed: f64) -> Cell {
         let column = (phase * self.columns as f64).floor().rem_euclid(self.columns as f64); // proposes: where a region begins
         (column as i32, (speed * self.rows).floor() as i32) // proposes: where a region begins
     }
 
-    /// Returns the boxes that states between these phases and between these speeds may be in; `None` of more than a few.
+    /// Boxes that states between these phases and between these speeds may be in; `None` of more than a few.
     pub fn boxes_between(&self, phases: [f64; 2], speeds: [f64; 2]) -> Option<Vec<Cell>> {
         /// Boxes along a side of the enclosure of a cycle: those of a point take one or two.
         const MOST_BOXES_ACROSS: f64 = 64.0;
@@ -72,7 +72,7 @@ impl Grid {
         })
     }
 
-    /// Returns the rectangle of a box.
+    /// The rectangle of a box.
     pub fn quad(&self, (column, row): Cell) -> Quad {
         let (column, row) = (f64::from(column), f64::from(row));
         // exact: columns and rows are powers of two
@@ -190,9 +190,7 @@ pub(crate) struct Region {
 const MAX_BOXES: usize = 4_000_000;
 
 impl Region {
-    /// Returns the least region of boxes of this grid that holds a box and is closed, as far as it is seen.
-    ///
-    /// `Err` with the reason where it does not close.
+    /// Grows a box to the least closed region of boxes of this grid.\n\n`Err` with the reason where it does not close.
     pub fn grow(law: &Law, grid: Grid, seed: Cell, watch: &dyn Watch) -> Result<Self, NoTrap> {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);

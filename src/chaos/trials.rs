@@ -12,18 +12,18 @@ use super::words::{HSet, Search};
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
-/// The effort that is spent on finding h-sets.
+/// Effort that is spent on finding h-sets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
     /// Trials: the number of h-sets, and of boxes for each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
-    /// The most h-sets.
+    /// Greatest number of h-sets.
     most: usize,
-    /// `true` if they are looked for about bundles of leaves first.
+    /// `true` if the search tries bundles of leaves first.
     pub bundled: bool,
-    /// `true` if they are looked for everywhere where saddles lead to none.
+    /// `true` if the search tries h-sets from everywhere where saddles lead to none.
     pub everywhere: bool,
 }
 
@@ -60,7 +60,7 @@ pub(super) struct Trials<'t> {
 }
 
 impl Trials<'_> {
-    /// The entropy that h-sets lead to with N boxes.
+    /// Entropy that h-sets lead to with at most `boxes` boxes, per impact.
     fn entropy_of(&self, bases: &[HSet], boxes: u64) -> f64 {
         let mut search = Search::new(self.law, bases, self.making);
         search.threads = 1;
@@ -76,8 +76,8 @@ impl Trials<'_> {
         entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
     }
 
-    /// Returns the h-sets among these bundles that lead to most entropy, and among those that are parted otherwise, as long as they are better;
-    /// `None` if none lead to any.
+    /// H-sets with the most entropy among these bundles, and among bundles with other gaps as long as those are better;\n`None` if no bundle
+    /// leads to any.
     pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<HSet>> {
         let tried = |bundles: &[Bundle], boxes: u64| {
             let judged =
@@ -103,7 +103,7 @@ impl Trials<'_> {
         (worth > 0.0).then_some(best.bases)
     }
 
-    /// The h-set that leads with these ones to most entropy.
+    /// H-set that leads, together with `found`, to the most entropy.
     fn one_more(&self, found: &[HSet], candidates: &[HSet]) -> Option<(f64, HSet)> {
         let free = candidates.iter().filter(|base| found.iter().all(|other| base.is_apart(other)));
         let mut tried: Vec<(f64, HSet)> = free.map(|&base| (0.0, base)).collect();
@@ -127,7 +127,7 @@ impl Trials<'_> {
         best
     }
 
-    /// Returns the h-sets among these that lead to most entropy.
+    /// The h-sets among these that lead to the most entropy.
     pub fn best(&self, candidates: &[HSet]) -> Vec<HSet> {
         let mut best: (f64, Vec<HSet>) = (0.0, Vec::new());
         while best.1.len() < self.effort.most && self.watch.goes_on() {

@@ -1,4 +1,4 @@
-//! Searches for words between h-sets with several makings of their chains of boxes, and which of them leads furthest.
+//! Searches for words between h-sets with several makings of their cell chains, and which of them leads furthest.
 
 use super::blocks::{Word, horseshoe};
 use super::entropy::entropy;
@@ -12,14 +12,14 @@ pub use impact_pair_document::MOST_DEPTH;
 /// Number of boxes at which a search without a given depth goes no deeper.
 const BOXES: u64 = 1_000_000;
 
-/// Makings of chains of boxes, any of which is sound: from fine cells to those that leave space for intervals of parameters.
+/// Makings of cell chains, any of which is sound: from fine cells to those that leave space for intervals of parameters.
 pub(super) const MAKINGS: [Making; 4] = [
     Making { longest: 0.003, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 },
     Making { longest: 0.005, margin: 1.08, pad: 2e-5, shortest: 1e-8, ahead: 4 },
     Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 },
     Making { longest: 0.01, margin: 1.15, pad: 2e-5, shortest: 1e-6, ahead: 4 },
 ];
-/// H-sets are tried with this one.
+/// Making with which h-sets are tried.
 pub(super) const TRIAL: Making = Making { longest: 0.006, margin: 1.08, pad: 5e-6, shortest: 1e-7, ahead: 4 };
 /// The making for slow expansion, where none of these leads to any entropy so far.
 const SLOW: Making = Making { longest: 0.001, margin: 1.08, pad: 5e-6, shortest: 1e-9, ahead: 4 };
@@ -43,7 +43,7 @@ impl<'s> Tried<'s> {
         Self { search: Search::new(law, bases, making), depth: 0, is_stopped: false }
     }
 
-    /// The same to a depth, no deeper than a number of boxes leads to.
+    /// Deepens the search to a depth, or until `most` boxes are done.
     pub fn deepened(mut self, (to, most): (usize, u64), watch: &dyn Watch) -> Self {
         while !self.is_stopped && self.depth < to && self.search.tally.boxes < most {
             self.is_stopped = !self.search.deepen(watch);
@@ -52,19 +52,19 @@ impl<'s> Tried<'s> {
         self
     }
 
-    /// Returns a lower bound of the entropy of its words, per impact.
+    /// Lower bound of the entropy of the words, per impact.
     fn entropy(&self) -> f64 {
         by_impact(&self.search)
     }
 
-    /// Returns the lengths of the two blocks of the shortest horseshoe, in impacts, the longer one first; the greatest number if there is none.
+    /// Lengths of the two blocks of the shortest horseshoe, in impacts, the longer one first; the greatest number if there is none.
     fn shortest(&self) -> [usize; 2] {
         let words: Vec<Word> = self.search.words.iter().map(Word::of).collect();
         horseshoe(&words, self.search.bases.len()).map_or([usize::MAX; 2], |[a, b]| [b, a].map(|word| word.walls.len()))
     }
 }
 
-/// Returns the search between h-sets that leads furthest, to a depth if one is given.
+/// The search between h-sets that leads furthest, to a depth if one is given.
 pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
     let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
     let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
@@ -81,8 +81,8 @@ pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>,
     finest.unwrap_or(first) // exact: none was tried
 }
 
-/// Returns, of those that lead to the most entropy, the one with the shortest horseshoe; if it is to be followed deeper, the first one
-/// that leads to nearly as much: the finest cells lead furthest.
+/// Of the searches with the most entropy, the one with the shortest horseshoe. If the search is to go deeper: the first one, with the\nfinest
+/// cells, that has nearly the most entropy.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own
     let enough = if deeper { ENOUGH_ENTROPY * best } else { best };
@@ -91,7 +91,7 @@ fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     chosen.expect("the best")
 }
 
-/// Returns lower bounds of the entropy of the words, per impact and per forcing period.
+/// Lower bounds of the entropy of the words, per impact and per forcing period.
 pub(super) fn entropies(search: &Search<'_>) -> [f64; 2] {
     [by_impact(search), 2.0 * entropy(&search.words, search.bases.len(), |path| path.half_turns)]
 }
@@ -125,7 +125,7 @@ mod tests {
     }
 
     /// The stretch of the h-set where it begins is 8e-4 of it long, beside a graze at the fourth impact: it was in the cells that each impact
-    /// costs at the ends of a chain of boxes.
+    /// costs at the ends of a cell chain.
     #[test]
     fn r37_a_word_that_begins_near_a_graze() {
         let (law, bases) = (figure_16(), bases());

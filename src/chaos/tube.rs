@@ -1,4 +1,4 @@
-//! Tubes: chains of quadrilaterals of states, and what is proved of how one is mapped along another. Lemmas D6, D7 of `docs/proofs/chaos.md#D6`.
+//! Cell chains: quadrilaterals of states, and proofs of how one chain is mapped along another. Lemmas D6, D7 of `docs/proofs/chaos.md#D6`.
 
 use std::ops::RangeInclusive;
 
@@ -8,7 +8,7 @@ use super::law::{Law, Side};
 use super::quad::{Chord, Quad, State};
 use crate::number::Ball;
 
-/// The cells between chords that follow one another; the tops lie to the left.
+/// Chain of the cells between successive chords; the tops lie to the left.
 #[derive(Clone, Debug)]
 pub(crate) struct BoxChain {
     chords: Vec<Chord>,
@@ -17,7 +17,7 @@ pub(crate) struct BoxChain {
     embedded: Vec<bool>,
 }
 
-/// Normals of a cell's edges: of the bottom, inward; of the top, outward; of its first chord, against the chain of boxes.
+/// Normals of a cell's edges: of the bottom, inward; of the top, outward; of its first chord, against the cell chain.
 #[derive(Clone, Copy, Debug)]
 struct Normals {
     bottom: [Ball; 2],
@@ -25,7 +25,7 @@ struct Normals {
     chord: [Ball; 2],
 }
 
-/// A part of a cell, along the chain of boxes, with the cell of the next chain of boxes where its image is about.
+/// Part of a cell, along the cell chain, with the cell of the next cell chain near its image.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub cell: usize,
@@ -36,19 +36,19 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// Returns whether it begins where another ends, and its image is about in the same cell or in the next one. Lemma D7
+    /// Whether this part begins where `other` ends, and its image is about in the same cell or in the next one. Lemma D7
     pub fn follows(&self, other: &Self) -> bool {
         let is_next = self.cell == other.cell + 1 && other.to == 1.0 && self.from == -1.0; // D7: the common chord
         let is_same = self.cell == other.cell && self.from == other.to; // D7: the common cut
         (is_next || is_same) && (self.place == other.place || self.place == other.place + 1)
     }
 
-    /// Returns whether it has no inner point in common with another part or with what lies before that: Lemma D9.
+    /// Whether this part has no inner point in common with `other` or with what lies before `other`. Lemma D9
     fn lies_behind(&self, other: &Self) -> bool {
         self.cell > other.cell || self.cell == other.cell && self.from >= other.to
     }
 
-    /// Returns whether it leads forward within its cell. Lemma D7
+    /// Whether the part leads forward within its cell. Lemma D7
     fn is_forward(&self) -> bool {
         -1.0 <= self.from && self.from < self.to && self.to <= 1.0 // D7: from one edge of the cell to the other
     }
@@ -59,8 +59,8 @@ pub(crate) const NEIGHBOUR_CELLS: usize = 2;
 /// Number of times that a part is halved at most.
 const HALVINGS: u32 = 9;
 
-/// The stretches of proved parts that follow one another, each of them behind the last part of those before it, which is `used`, and
-/// updated: no two of all that are taken have inner points in common, whatever is proposed. Lemmas D7, D9
+/// Stretches of consecutive proved parts, each behind the last part before it, which is `used`, and updated: no two taken parts have\ninner
+/// points in common, whatever is proposed. Lemmas D7, D9
 pub(crate) fn proved_stretches(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
     let mut stretches = Vec::new();
     let mut first = 0;
@@ -129,12 +129,12 @@ impl BoxChain {
         self.normals.len()
     }
 
-    /// Returns the chords from one to another as a chain of boxes of its own.
+    /// The chords from one to another as a cell chain of their own.
     pub fn stretch(&self, from: usize, to: usize) -> Self {
         Self::new(self.chords[from..=to].to_vec())
     }
 
-    /// Returns whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
+    /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6
     fn holds(&self, landing: &Landing, place: usize) -> bool {
         let cells = self.cells();
         if place < NEIGHBOUR_CELLS || place + NEIGHBOUR_CELLS >= cells {
@@ -166,14 +166,14 @@ impl BoxChain {
         })
     }
 
-    /// Returns whether the windows of the images of a part and of its neighbours are embedded.
+    /// Whether the windows of the images of a part and of its neighbours are embedded.
     fn is_embedded(&self, place: usize) -> bool {
         let low = place.saturating_sub(NEIGHBOUR_CELLS); // D6: the tube's ends
         let high = (place + NEIGHBOUR_CELLS + 1).min(self.cells() - 1); // D6: the tube's ends
         self.embedded.get(low..=high).is_some_and(|window| window.iter().all(|&is| is))
     }
 
-    /// Returns whether all states of a part are proved to fly to one wall, and to land around its place in the next chain of boxes.
+    /// Whether all states of a part are proved to fly to one wall, and to land around its place in the next cell chain.
     pub fn is_mapped(&self, law: &Law, guess: &Guess, part: &Part, side: Side, next: &Self) -> bool {
         if !part.is_forward() || !next.is_embedded(part.place) {
             return false;

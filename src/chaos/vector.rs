@@ -6,15 +6,15 @@ use std::f64::consts::TAU;
 
 use super::quad::State;
 
-/// A direction at the first state of a motion: flights turn almost any towards the one that expands.
+/// A direction at the first state of a motion: flights rotate almost any direction towards the expanding one.
 pub(super) const GENERIC: State = [1.0 / TAU, 0.3];
 
-/// Returns the product of two matrices.
+/// Product of two matrices.
 pub(super) fn times(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     std::array::from_fn(|i| std::array::from_fn(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
 }
 
-/// Returns a vector's image.
+/// Image of a vector.
 pub(crate) fn applied([[a, b], [c, d]]: [[f64; 2]; 2], [x, y]: State) -> State {
     [a * x + b * y, c * x + d * y]
 }
@@ -23,34 +23,34 @@ pub(crate) fn minus([a, b]: State, [c, d]: State) -> State {
     [a - c, b - d]
 }
 
-/// Returns `a d - b c`: the area between two vectors.
+/// `a d - b c`: the area between two vectors.
 pub(crate) fn cross([a, b]: State, [c, d]: State) -> f64 {
     a * d - b * c
 }
 
-/// Returns a vector with its phase in radians.
+/// Vector with its phase in radians.
 pub(crate) fn radians([u, w]: State) -> State {
     [TAU * u, w]
 }
 
-/// Returns the length of a vector, its phase in radians.
+/// Length of a vector, its phase in radians.
 pub(crate) fn length(vector: State) -> f64 {
     let [theta, w] = radians(vector);
     theta.hypot(w)
 }
 
-/// Returns the vector of length 1 of a direction.
+/// Vector of length 1 of a direction.
 pub(super) fn unit(vector: State) -> State {
     let size = length(vector);
     vector.map(|x| x / size)
 }
 
-/// Returns the state less whole forcing periods.
+/// The state less whole forcing periods.
 pub(super) fn in_period([phase, speed]: State) -> State {
     [phase - phase.floor(), speed]
 }
 
-/// Returns the distance of two states, less whole forcing periods.
+/// Distance of two states, less whole forcing periods.
 pub(super) fn apart([u, w]: State, [v, x]: State) -> f64 {
     length([u - v - (u - v).round(), w - x])
 }

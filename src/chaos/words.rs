@@ -1,4 +1,4 @@
-//! Words: returns of an h-set to the h-sets, proved along chains of boxes. Lemmas D8, D9 of `docs/proofs/chaos.md#D8`.
+//! Words: returns of an h-set to the h-sets, proved along cell chains. Lemmas D8, D9 of `docs/proofs/chaos.md#D8`.
 
 use std::sync::Mutex;
 
@@ -11,12 +11,12 @@ use super::tube::{BoxChain, NEIGHBOUR_CELLS, proved_stretches, side_of};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
 
-/// A quadrilateral of states: the curves from its left to its right edge are what is followed.
+/// Quadrilateral of states, the set of a covering relation: the curves from its left to its right edge are followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HSet {
-    /// Its left edge.
+    /// Left edge.
     pub left: Chord,
-    /// Its right edge.
+    /// Right edge.
     pub right: Chord,
 }
 
@@ -27,18 +27,18 @@ pub(crate) struct Path {
     pub to: usize,
     /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// Number of half forcing periods that it takes.
+    /// Half forcing periods from start to end.
     pub half_turns: i64,
 }
 
-/// A stretch of a chain of boxes that has been followed so far.
+/// Stretch of a cell chain that has been followed so far.
 struct Run {
     from: usize,
     sides: Vec<Side>,
     tube: BoxChain,
 }
 
-/// The number of boxes that are tried so far.
+/// Number of boxes that are tried so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
     pub boxes: u64,
@@ -55,16 +55,16 @@ pub(crate) struct Search<'s> {
     pub tally: Tally,
     /// Number of threads that follow runs. With one, where a limit of boxes ends the search depends on nothing else.
     pub threads: usize,
-    /// The middles of the first chains of boxes, for pictures.
+    /// Middles of the first cell chains, for pictures.
     pub shown: Vec<Vec<State>>,
     depth: usize,
 }
 
-/// Tubes up to this depth are shown.
+/// Greatest depth of the cell chains in pictures.
 const SHOWN_DEPTH: usize = 3;
 
 impl HSet {
-    /// Returns the h-set of a centre and the half vectors of its sides.
+    /// H-set of a centre and the half vectors of its sides.
     pub fn new(centre: State, along: State, across: State) -> Self {
         let corner = |a: f64, b: f64| [0, 1].map(|i| centre[i] + a * along[i] + b * across[i]);
         let chord = |a: f64, sign: f64| Chord { bottom: corner(a, -sign), top: corner(a, sign) };
@@ -72,14 +72,14 @@ impl HSet {
         Self { left: chord(-1.0, sign), right: chord(1.0, sign) }
     }
 
-    /// Returns whether it is a convex quadrilateral.
+    /// Whether the h-set is a convex quadrilateral.
     pub fn is_convex(&self) -> bool {
         let Self { left, right } = self;
         let round = [left.bottom, right.bottom, right.top, left.top];
         (0..4).all(|i| is_positive(side_of(round[i], round[(i + 1) % 4], round[(i + 2) % 4], 0.0)))
     }
 
-    /// The stretches of a chain of boxes that cross the h-set N forcing periods later, each as two chords. Lemma D8
+    /// Stretches of a cell chain that cross the h-set `turns` forcing periods later, each as two chords. Lemma D8
     fn crossings(&self, tube: &BoxChain, turns: f64) -> Vec<(usize, usize)> {
         let Self { left, right } = self;
         let mut found = Vec::new();
@@ -127,7 +127,7 @@ impl<'s> Search<'s> {
         Self { law, guess: Guess::new(law), making, bases, runs, words, tally, threads, shown, depth: 0 }
     }
 
-    /// Follows all that is left over one impact more; false when stopped.
+    /// Follows all remaining runs over one impact more; false when stopped.
     pub fn deepen(&mut self, watch: &dyn Watch) -> bool {
         let depth = self.depth + 1; // exact: a count
         let tally = Mutex::new(self.tally);
@@ -154,7 +154,7 @@ impl<'s> Search<'s> {
         watch.proceed(Stage::Horseshoe { depth, boxes: self.tally.boxes }).is_continue()
     }
 
-    /// One run, one impact further: what covers an h-set, and what is left.
+    /// Follows one run over one impact: the words that cover an h-set, and the remaining runs.
     fn follow(&self, run: &Run, watch: &dyn Watch) -> (Vec<Run>, Vec<Path>, Tally) {
         let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
         let mut used = None;

@@ -10,7 +10,7 @@ use crate::chaos::{Cells, RangeSettings, Stretch, Verdict};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Progress, Settings};
 use crate::watch::Unwatched;
 
-/// A state of a set, and the law whose `e` and `D` it is given for.
+/// State of a set, and the law with the `e` and `D` that the state belongs to.
 fn member(set: &Set, law: &Law, part: [f64; 4]) -> (State, Law) {
     let [a, b, c, d] = part;
     let state = [0, 1].map(|i| {

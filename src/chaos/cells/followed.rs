@@ -51,7 +51,7 @@ impl Saddle {
         Some(Self { directions: [expands, contracts], ..found })
     }
 
-    /// Returns the state that has, beside the moved saddle, the coordinates of a state beside this one.
+    /// State whose coordinates about the moved saddle `to` are those of `state` about this saddle.
     fn carried(&self, to: &Self, state: State) -> State {
         let [p, q] = self.directions;
         let away = minus(state, self.state);
@@ -60,7 +60,7 @@ impl Saddle {
     }
 }
 
-/// The derivatives of N impacts.
+/// Jacobian of the `impacts`-th iterate.
 fn derivative(guess: &Guess, state: State, impacts: usize) -> Option<[[f64; 2]; 2]> {
     let after = (0..impacts).try_fold((state, [[1.0, 0.0], [0.0, 1.0]]), |(state, product), _| {
         let image = guess.map(state)?;
@@ -151,7 +151,7 @@ impl Followed {
         Some(Self { at, held: self.held.iter().map(moved).collect::<Option<_>>()? })
     }
 
-    /// Returns the h-sets.
+    /// The h-sets.
     pub fn bases(&self) -> Vec<HSet> {
         self.held.iter().map(|(base, _)| *base).collect()
     }

@@ -103,7 +103,7 @@ impl Work<'_> {
         Some([widest.low.clone(), widest.high.clone()])
     }
 
-    /// Width of a cell after N halvings, in units of the parameter.
+    /// Width of a cell after `halved` halvings, in units of the parameter.
     fn wide(&self, halved: u32) -> f64 {
         let over = &self.requested.over;
         (double(over.high()) - double(over.low())) / f64::from(self.requested.cells) / f64::from(1 << halved)
@@ -120,7 +120,7 @@ impl Work<'_> {
         Ok((!bases.is_empty()).then_some(Seed { value, bases }))
     }
 
-    /// Returns the same stretches, those between horseshoes that are undecided tried by the h-sets below and then by those above.
+    /// Tries the undecided stretches between horseshoes with the h-sets below and then with the h-sets above.
     fn between(&self, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let mut gaps = vec![Gap::default()];
         for stretch in stretches {
@@ -143,7 +143,7 @@ impl Work<'_> {
         joined(each(&gaps, &filled))
     }
 
-    /// Returns the same stretches, those on both sides of a value that are undecided tried by its h-sets.
+    /// Tries the undecided stretches on both sides of a value with the h-sets of that value.
     fn beside(&self, seed: &Seed, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let value = double(&seed.value);
         let mut sides = [(Vec::new(), false), (Vec::new(), true)];
@@ -184,7 +184,7 @@ impl Work<'_> {
 }
 
 impl Walk<'_> {
-    /// Passes a stretch that is undecided: as a whole if it is narrow enough and a horseshoe is proved of it, or else its halves.
+    /// Passes an undecided stretch: as a whole if narrow enough and a horseshoe is proved for all of it, or else its halves.
     fn pass(&mut self, stretch: Stretch) -> Result<(), Error> {
         let width = double(&stretch.high) - double(&stretch.low);
         let is_wider = |than: u32| width > 1.001 * self.work.wide(than.min(self.work.requested.halvings)); // proposes: which parts

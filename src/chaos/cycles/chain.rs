@@ -9,12 +9,12 @@ use crate::periodic::precondition::Preconditioner;
 /// Boxes of consecutive impacts; a closed chain goes on with its first impact, whole forcing periods later.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
-    /// Reduced phases, with their forcing periods.
+    /// Reduced phases of the impacts, whole forcing periods included.
     pub phases: Vec<Interval>,
     pub speeds: Vec<Interval>,
     /// The wall that each flight ends on.
     pub sides: Vec<Side>,
-    /// The forcing periods until a closed chain is closed; `None` of others.
+    /// Whole forcing periods after which a closed chain closes; `None` for open chains.
     pub turns: Option<f64>,
 }
 
@@ -37,17 +37,17 @@ struct Row {
 }
 
 impl Chain {
-    /// Returns a chain of one impact.
+    /// A chain of one impact.
     pub fn new([phase, speed]: [Interval; 2]) -> Self {
         Self { phases: vec![phase], speeds: vec![speed], sides: Vec::new(), turns: None }
     }
 
-    /// Returns how many impacts it has.
+    /// Number of impacts.
     pub fn len(&self) -> usize {
         self.phases.len()
     }
 
-    /// The impact after one, and the forcing periods that are added to its phase.
+    /// Index of the impact after impact `i`, and the forcing periods to add to the phase of that impact.
     fn next(&self, i: usize) -> (usize, f64) {
         match self.turns {
             Some(turns) if i + 1 == self.len() => (0, turns),
@@ -55,18 +55,18 @@ impl Chain {
         }
     }
 
-    /// Returns the sum of the widths from an impact on.
+    /// Sum of the widths of phases and speeds from impact `from` on.
     pub fn size(&self, from: usize) -> f64 {
         self.phases[from..].iter().chain(&self.speeds[from..]).map(|x| x.wid()).sum()
     }
 
-    /// Returns its widest phase, and how wide that is.
+    /// Index and width of the widest phase.
     pub fn widest(&self) -> (usize, f64) {
         let widths = self.phases.iter().map(|x| x.wid()).enumerate();
         widths.max_by(|(_, x), (_, y)| x.total_cmp(y)).expect("an impact")
     }
 
-    /// Returns both halves, across a phase.
+    /// Halves of the chain, cut at the middle of one phase.
     pub fn halves(self, across: usize) -> [Self; 2] {
         let whole = self.phases[across];
         let mut other = self.clone();
@@ -76,8 +76,8 @@ impl Chain {
         [one, other]
     }
 
-    /// Cuts it from a flight on, while that is worth it; whether Newton's equation determined all its phases. `None` when nothing
-    /// is left.
+    /// Cuts the chain from a flight on until a pass gains little. True if Newton's equation determined all phases. `None` when
+    /// no chain is\nleft.
     pub fn narrow(&mut self, laws: &Laws, first: usize) -> Option<bool> {
         loop {
             let before = self.size(first);
@@ -113,7 +113,7 @@ impl Chain {
         laws.relation.leg(self.sides[i], [from[0], to[0]], [from[1], to[1]])
     }
 
-    /// Cuts by how long a flight may take.
+    /// Cuts the phases by the bounds of the time of flight.
     fn cut_time(&mut self, times: Interval, i: usize) -> Option<()> {
         let (next, turns) = self.next(i);
         let there = Interval::point(turns) - Interval::point(self.sides[i].shift());

@@ -1,4 +1,4 @@
-//! The boxes of a region as a graph, and which of them a cycle may pass when: Lemma D21.
+//! The boxes of a region as a graph, and the boxes that a cycle may pass at each impact: Lemma D21.
 
 use std::collections::BTreeMap;
 use std::mem;
@@ -44,8 +44,8 @@ impl Graph {
         Self { grid, cells, next, previous, blocks, block }
     }
 
-    /// Returns the boxes in which a cycle of N impacts may be, impact by impact from one in this block on, if it has none in the
-    /// blocks before; `None` where there is none. Lemma D21
+    /// Boxes that a cycle of `impacts` impacts may pass, impact by impact, from a box of `block` on. Cycles through earlier
+    /// blocks are\nleft out. `None` where there is none. Lemma D21
     pub fn layers(&self, block: usize, impacts: usize) -> Option<Vec<Layer>> {
         let forth = self.walk(&self.next, &self.blocks[block], block, impacts, None);
         let is_back = |&cell: &u32| forth[impacts][cell as usize]; // exact: an index
@@ -58,8 +58,8 @@ impl Graph {
         Some(back.iter().map(|layer| self.layer(layer)).collect())
     }
 
-    /// Returns flags of the boxes reached after each number of steps, in this block and those after it, and only where `held`, read
-    /// backward, has them.
+    /// Flags of the boxes reached after each number of steps, in this block and later ones. With `held`, read backward, only
+    /// its boxes.
     fn walk(
         &self,
         links: &Links,
@@ -118,7 +118,7 @@ fn blocks(cells: &[Cell]) -> Vec<Vec<u32>> {
     }
 }
 
-/// The boxes in which a cycle may be after N impacts.
+/// Boxes in which a cycle may be after a given number of impacts.
 pub(super) struct Layer {
     grid: Grid,
     /// The place of the first box of each column.
@@ -127,7 +127,7 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// Returns how many columns there are in a forcing period.
+    /// Number of columns in a forcing period.
     pub fn columns(&self) -> i64 {
         self.grid.columns
     }
@@ -140,7 +140,7 @@ impl Layer {
         &rows[from..from + rows[from..].partition_point(|&row| row <= high)]
     }
 
-    /// Rectangles, each at most N columns wide, that hold all states of the layer with such phases and speeds.
+    /// Rectangles, each at most `width` columns wide, that hold all states of the layer with such phases and speeds.
     pub fn parts(&self, phases: Interval, speeds: Interval, width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two
@@ -150,7 +150,7 @@ impl Layer {
         self.rectangles(across, along, width).into_iter().filter_map(cut).collect()
     }
 
-    /// Rectangles, each at most N columns wide, that hold the boxes of these columns and rows.
+    /// Rectangles, each at most `width` columns wide, that hold the boxes of these columns and rows.
     fn rectangles(&self, [first, last]: [i64; 2], [low, high]: [i32; 2], width: i64) -> Vec<[Interval; 2]> {
         let Grid { columns, rows } = self.grid;
         let per_turn = columns as f64; // exact: a power of two
@@ -177,7 +177,7 @@ impl Layer {
         rectangles
     }
 
-    /// Returns a rectangle that holds all states of the layer with such phases and speeds.
+    /// Rectangle that holds all states of the layer with such phases and speeds.
     pub fn hull(&self, phases: Interval, speeds: Interval) -> Option<[Interval; 2]> {
         let parts = self.parts(phases, speeds, self.grid.columns);
         parts.into_iter().reduce(|[u, w], [p, q]| [u.hull(p), w.hull(q)])

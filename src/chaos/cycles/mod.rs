@@ -50,7 +50,8 @@ pub const MOST_IMPACTS: u32 = 64;
 /// The cycles of a region, proved.
 ///
 /// **Enclosure**: [`fixed_points`](Cycles::fixed_points) of `n` counts all states of the region that the reduced map maps to
-/// themselves by `n` impacts; it is given only where no part of the region is left undecided, and their orbits are all listed. Lemmas D20-D23
+/// themselves by `n` impacts. A count exists only where no part of the region is undecided, and all orbits are then listed.
+/// Lemmas D20-D23
 /// **Cost**: figure 14 to 12 impacts in less than a second; each impact more takes about `exp(h)` times as long, with the topological
 /// entropy `h`.
 ///
@@ -77,7 +78,7 @@ pub struct Cycles {
 }
 
 impl Cycles {
-    /// Returns all cycles of N impacts in the region that [`Trap::of`] finds.
+    /// Proves all cycles of the `requested` numbers of impacts in the region that [`Trap::of`] finds.
     ///
     /// `watch` receives the progress, and may stop it; numbers of impacts not done then have no count.
     ///
@@ -120,7 +121,7 @@ impl Cycles {
         Ok(Ok(all))
     }
 
-    /// Takes up what the blocks found of N impacts, block by block. Lemma D23
+    /// Collects the results of all blocks for cycles of `impacts` impacts, block by block. Lemma D23
     fn collect_blocks(&mut self, task: &Task, impacts: usize, blocks: Vec<Block>) {
         let before = self.undecided.len();
         let is_whole = blocks.iter().all(|block| block.is_whole);
@@ -205,48 +206,48 @@ impl Cycles {
         Some(impacts)
     }
 
-    /// Returns the region.
+    /// Trapping region that holds the cycles.
     pub fn trap(&self) -> &Trap {
         &self.trap
     }
 
-    /// Returns how many impacts were requested.
+    /// Requested numbers of impacts.
     pub fn requested(&self) -> &RangeInclusive<u32> {
         &self.requested
     }
 
-    /// Returns the number of states of the region that return after N impacts, by N, where it is proved.
+    /// For each number of impacts, the number of states of the region that return after it, where proved.
     pub fn fixed_points(&self) -> &BTreeMap<usize, usize> {
         &self.fixed_points
     }
 
-    /// Returns the cycles, each once, by their impacts, words and phases.
+    /// Cycles, each once, by their impacts, words and phases.
     pub fn cycles(&self) -> &[Cycle] {
         &self.cycles
     }
 
-    /// Returns where there may be others, by the number of impacts.
+    /// Regions where other cycles may be, each with its number of impacts.
     pub fn undecided(&self) -> &[(usize, Region)] {
         &self.undecided
     }
 
-    /// Returns whether there are no others of all the numbers of impacts that were requested.
+    /// Whether no other cycles exist for all requested numbers of impacts.
     pub fn is_exhaustive(&self) -> bool {
         self.requested.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
     }
 
-    /// Returns whether all that was asked is proved: that there are no others, and whether each of them is stable, to the requested width.
+    /// Whether all that was asked is proved: no other cycles, and the stability of each cycle, to the requested width.
     pub fn is_certified(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
     }
 
-    /// Returns whether it is proved that none of these numbers of impacts has a cycle that attracts.
+    /// Whether all cycles of the requested numbers of impacts are proved to be unstable.
     pub fn has_no_attractor(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.stability == Stability::Unstable)
     }
 }
 
-/// The result of the search in a block.
+/// Result of the search in a block.
 struct Block {
     found: Vec<Found>,
     undecided: Vec<Chain>,

@@ -11,16 +11,16 @@ pub(super) struct Relation {
     pub restitution: Interval,
 }
 
-/// All flights between two boxes of phases, mean_value about a member of each.
+/// All flights between two boxes of phases, in mean-value form about a member of each.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
     /// `a`, the speeds after the first impact.
     pub after: Interval,
     /// `b`, the speeds before the second one.
     pub before: Interval,
-    /// Both between the two members.
+    /// Both speeds between the two members.
     pub centre: [Interval; 2],
-    /// The derivatives of each by both phases.
+    /// Derivatives of the two speeds by the two phases.
     pub slopes: [[Interval; 2]; 2],
 }
 
@@ -59,7 +59,7 @@ impl Relation {
         }
     }
 
-    /// Returns the flights to a wall from a box of phases to a box of reduced phases, about these members.
+    /// Encloses the flights to a wall from a box of phases to a box of reduced phases, in mean-value form about `centres`.
     pub fn leg(&self, side: Side, [from, to]: [Interval; 2], centres: [Interval; 2]) -> Option<Leg> {
         let shift = Interval::point(side.shift());
         let offsets = [from - centres[0], to - centres[1]];
@@ -89,7 +89,7 @@ impl Relation {
     }
 }
 
-/// Returns the intersection of two enclosures of the same numbers, or the first one if there is none.
+/// Intersection of two enclosures of the same numbers, or the first one where they do not meet.
 fn both(x: Interval, y: Option<Interval>) -> Interval {
     y.and_then(|y| x.intersection(y)).unwrap_or(x) // D20: each holds them
 }

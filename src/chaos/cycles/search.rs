@@ -1,4 +1,4 @@
-//! All closed chains of N impacts through a block of boxes: Lemma D22.
+//! All closed chains of a given number of impacts through a block of boxes: Lemma D22.
 
 use std::collections::BTreeMap;
 
@@ -14,11 +14,11 @@ use crate::pair::ImpactPair;
 use crate::periodic::{Identity, PeriodicOrbit, Precision, Problem};
 use crate::watch::Watch;
 
-/// Parts of a forcing period that boxes are at most as wide as, when a chain grows by them.
+/// Greatest width of the boxes of a growing chain is 1 forcing period over this number.
 const BOXES_PER_PERIOD: i64 = 32;
 /// Flights that are cut anew when a chain grows.
 const CUT_FLIGHTS: usize = 6;
-/// Columns in a forcing period that landings are given by.
+/// Columns in a forcing period for landings.
 const COLUMNS: Grid = Grid { columns: 256, rows: 1.0 };
 /// Chains as narrow as that, in forcing periods, are tested for a known orbit.
 const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
@@ -37,11 +37,11 @@ pub(super) struct Task<'t> {
     pub law: Law,
     pub laws: Laws,
     pub precision: Precision,
-    /// Asked whether the search goes on.
+    /// May stop the search.
     pub watch: &'t dyn Watch,
 }
 
-/// An orbit of a closed chain, motion or not.
+/// Orbit of a closed chain, admissible or virtual.
 pub(super) struct Found {
     pub problem: Problem,
     pub orbit: PeriodicOrbit,
@@ -68,13 +68,13 @@ impl<'t> Search<'t> {
         (self.layers[0].columns() / BOXES_PER_PERIOD).max(1) // D22: any width
     }
 
-    /// Returns whether the search goes on: not after a stop, nor with too many undecided chains.
+    /// Whether the search goes on: not after a stop, nor with too many undecided chains.
     fn goes_on(&mut self) -> bool {
         self.is_whole &= self.undecided.len() < MOST_UNDECIDED && self.task.watch.goes_on();
         self.is_whole
     }
 
-    /// Searches it.
+    /// Searches the block.
     pub fn search(&mut self) {
         let mut open: Vec<Chain> = self.layers[0].whole(self.width()).into_iter().map(Chain::new).collect();
         while let Some(chain) = open.pop() {
@@ -107,7 +107,7 @@ impl<'t> Search<'t> {
         }
     }
 
-    /// The chains with one flight more; those that close are searched at once.
+    /// Chains with one flight more; chains that close are searched at once.
     fn longer(&mut self, chain: &Chain, landings: &[(Side, [Interval; 2])]) -> Vec<Chain> {
         let (next, impacts) = (chain.sides.len() + 1, self.layers.len() - 1);
         let mut all = Vec::new();
@@ -130,9 +130,8 @@ impl<'t> Search<'t> {
         all
     }
 
-    /// Returns the landings that flights from a rectangle may have: the wall, and a rectangle of reduced phases and speeds. Lemma D4
-    ///
-    /// `None` where they are not followed.
+    /// Encloses the landings of flights from a rectangle: the wall, and a rectangle of reduced phases and speeds. Lemma D4\n\n`None` where a
+    /// flight is not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
         let whole = phases.inf().floor(); // D22: any whole forcing periods
         let [u, w] = [phases - Interval::point(whole), speeds];
@@ -154,7 +153,7 @@ impl<'t> Search<'t> {
         runs.map(rectangle).collect()
     }
 
-    /// Searches the chains that are closed by a last impact in a rectangle, which is the first one again.
+    /// Searches the chains that a last impact in this rectangle closes: the last impact is the first one again.
     fn close(&mut self, chain: &Chain, phase: Interval, speed: Interval) {
         let later = phase - chain.phases[0];
         let [low, high] = [later.inf().ceil(), later.sup().floor()]; // D22: whole forcing periods in between
@@ -192,7 +191,7 @@ impl<'t> Search<'t> {
         }
     }
 
-    /// Cuts a closed chain by all that is known; whether Newton's equation determined all its phases. `None` when nothing is left.
+    /// Cuts a closed chain by all relations. True if Newton's equation determined all phases; `None` when no chain is left.
     fn cut(&self, chain: &mut Chain) -> Option<bool> {
         loop {
             let before = chain.size(0);
@@ -207,7 +206,7 @@ impl<'t> Search<'t> {
         }
     }
 
-    /// Returns whether the chain lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
+    /// Whether a known orbit is the only one in the chain's boxes; where none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, chain: &Chain, looks: bool) -> bool {
         let Some(walled) = WallChain::new(chain) else { return false };
         let known = self.found.entry((walled.walls.clone(), walled.cycles)).or_default();

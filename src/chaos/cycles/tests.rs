@@ -35,7 +35,7 @@ fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
     Cycles::of(scene, 0, &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
 }
 
-/// Returns whether a number computed in floating point, with an error of 1e-8, may be in an interval.
+/// Whether a number computed in floating point, with an error of 1e-8, may be in an interval.
 fn holds(x: Interval, y: f64) -> bool {
     let error = 1e-8 * (1.0 + y.abs());
     x.inf() <= y + error && y - error <= x.sup()
@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    /// Lemma D22: a chain of boxes around a floating-point orbit is cut, and never to less than the orbit.
+    /// Lemma D22: a chain of boxes around a floating-point orbit is cut, and the orbit stays in the boxes.
     #[test]
     fn chains_keep_the_orbit_they_hold(
         number in prop::sample::select(vec![14_u32, 16, 17]), phase in 0.0..1.0f64, speed in 0.1..1.0f64, flights in 1..6usize,
@@ -115,8 +115,8 @@ proptest! {
     }
 }
 
-/// The numbers are those of `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits
-/// and shares nothing with this.
+/// The numbers are from `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits\nand
+/// shares no code with this crate.
 #[test]
 fn counts_are_those_of_an_independent_search() {
     for (number, counts) in [(14, vec![1, 1, 4, 1, 11, 22, 15]), (17, vec![1, 1, 10, 21]), (16, vec![0, 0, 0, 4, 10])] {

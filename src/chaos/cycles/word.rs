@@ -6,8 +6,8 @@ use crate::number::interval::Interval;
 use crate::pair::ImpactPair;
 use crate::periodic::Problem;
 
-/// A closed chain from an impact on from which its flights come first in order, so that all views of it have one word: once
-/// around, or twice where the walls are exchanged after one round.
+/// Closed chain in the whole system: once around, or twice where the walls are exchanged after one round. The chain begins at the impact\nthat
+/// makes its word the least, so that all rotations have one word.
 pub(super) struct WallChain {
     /// The walls of its impacts, `L` or `R`.
     pub walls: String,
@@ -17,7 +17,7 @@ pub(super) struct WallChain {
 }
 
 impl WallChain {
-    /// `None` where the forcing periods do not fit: no motion has such impacts.
+    /// `None` where the number of whole forcing periods would be less than 1: no motion has such impacts.
     pub fn new(chain: &Chain) -> Option<Self> {
         let (count, turns) = (chain.len(), chain.turns?);
         let is_far = |i: usize| chain.sides[i % count] == Side::Far;
@@ -36,7 +36,7 @@ impl WallChain {
         (cycles >= 1.0).then_some(Self { walls, cycles: cycles as u32, phases }) // exact: a small whole number
     }
 
-    /// Returns what asks for its orbits.
+    /// Periodic-orbit problem of the chain's walls and forcing periods.
     pub fn problem(&self, pair: &ImpactPair) -> Option<Problem> {
         Problem::new(pair, &self.walls.parse().ok()?, self.cycles).ok()
     }

@@ -13,7 +13,7 @@ use crate::chaos::trap::Grid;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
 
-/// Horseshoes are looked for in N components at most.
+/// Greatest number of components in which horseshoes are looked for.
 const MOST_SEARCHED: usize = 4;
 
 /// The map, and how far it is analysed.
@@ -25,7 +25,7 @@ pub(super) struct Request<'a> {
     pub watch: &'a dyn Watch,
 }
 
-/// A component, what is proved of it, and what it falls into.
+/// Component, the proved kind, and the components that a refinement splits the component into.
 pub(super) struct Node {
     pub component: Component,
     /// Number of times that its boxes have been halved.
@@ -54,8 +54,8 @@ pub(super) struct Analysis<'a> {
 }
 
 impl<'a> Analysis<'a> {
-    /// Returns the analysis of all states that motions have in the end. Of the components that are undecided the smallest is refined
-    /// first: thin sets that need many boxes wait for those that shrink.
+    /// Analyses all states that motions have in the end. The smallest undecided component is refined first:\nthin sets that need many boxes wait
+    /// for those that shrink.
     pub fn of(request: Request<'a>) -> Self {
         let mut analysis = Self { request, nodes: Vec::new(), mapped: 0, work: 0, stopped: None };
         let whole = analysis.whole(analysis.request.settings.boxes);
@@ -77,12 +77,12 @@ impl<'a> Analysis<'a> {
         analysis
     }
 
-    /// Returns whether it was interrupted.
+    /// Whether the analysis was interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.stopped == Some(Reason::Interrupted)
     }
 
-    /// Returns the components that are left, those first from which motions may go on to others.
+    /// Components that are left, those first from which motions may go on to others.
     pub fn components(&self) -> Vec<Recurrence> {
         let leaves = self.leaves(0);
         let mut found: Vec<Recurrence> = leaves.iter().map(|&leaf| self.recurrence(leaf)).collect();
@@ -104,7 +104,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Returns the attracting cycles that are proved in components of which nothing else is, each with the place of its component. Lemma A14
+    /// Attracting cycles that are proved in undecided components, each with the place of its component. Lemma A14
     pub fn attractors_within(&self, found: &[Recurrence]) -> Vec<(usize, Box<LimitCycle>)> {
         let Request { pair, space, settings, watch, .. } = &self.request;
         let is_open: Vec<bool> = found.iter().map(|own| own.kind.is_undecided()).collect();
@@ -115,7 +115,7 @@ impl<'a> Analysis<'a> {
         attractors::within(pair, space, &leaves, &is_open, settings.precision)
     }
 
-    /// Returns which component may lead to which, by their places.
+    /// Pairs of components, by their places, of which the first may lead to the second.
     pub fn order(&self) -> Vec<[usize; 2]> {
         let place = self.places();
         let mut order = Vec::new();
@@ -130,14 +130,14 @@ impl<'a> Analysis<'a> {
         order.iter().map(|pair| pair.map(|leaf| place[leaf])).collect()
     }
 
-    /// Returns the place among the components of each node that is left.
+    /// For each node that is left, its place among the components.
     pub fn places(&self) -> Vec<usize> {
         let mut places = vec![usize::MAX; self.nodes.len()];
         self.leaves(0).into_iter().enumerate().for_each(|(place, leaf)| places[leaf] = place);
         places
     }
 
-    /// Returns the nodes that a node has fallen into, itself if it has not.
+    /// Nodes that a node has fallen into; the node itself if it has not been split.
     pub fn leaves(&self, node: usize) -> Vec<usize> {
         match &self.nodes[node].split {
             Some(split) => split.children.iter().flat_map(|&child| self.leaves(child)).collect(),
@@ -145,7 +145,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Returns all states that motions have in the end, in about N boxes. Lemma A1
+    /// All states that motions have in the end, in about `boxes` boxes. Lemma A1
     pub fn whole(&self, boxes: u32) -> Component {
         let fastest = self.request.space.fastest();
         // About as many columns as rows.
@@ -157,7 +157,7 @@ impl<'a> Analysis<'a> {
         Component { grid, cells, has_release: true, is_closed: true }
     }
 
-    /// Replaces a node by what its boxes fall into where they are mapped, and returns these. Lemmas A6, A10
+    /// Replaces a node by the components of its mapped boxes, and returns these. Lemmas A6, A10
     fn refine(&mut self, node: usize) -> std::ops::Range<usize> {
         let own = &self.nodes[node];
         let component = if node == 0 { own.component.clone() } else { own.component.halved() };
@@ -198,7 +198,7 @@ impl<'a> Analysis<'a> {
         children
     }
 
-    /// Returns whether a node is to be refined: it is undecided, and its boxes may be halved once more.
+    /// Whether a node is to be refined: undecided, and its boxes may be halved once more.
     fn is_refined(&self, node: usize) -> bool {
         let Node { component, kind, halved, split } = &self.nodes[node];
         kind.is_undecided()
@@ -207,7 +207,7 @@ impl<'a> Analysis<'a> {
             && !component.is_finest(self.request.space.fastest())
     }
 
-    /// Returns the kind of a component beside others, as far as it is proved; `None` where no motion stays in it.
+    /// Kind of a component beside others, as far as proved; `None` where no motion stays in the component.
     fn kind<'c>(&self, component: &Component, others: impl Fn() -> Vec<&'c Component>) -> Option<Kind> {
         let Request { pair, space, released, settings, .. } = &self.request;
         if component.cells.is_empty() {
@@ -252,13 +252,13 @@ impl From<Stopped> for Reason {
 }
 
 impl Component {
-    /// Returns whether the numbers of columns or rows of smaller boxes may exceed 32 bits.
+    /// Whether the numbers of columns or rows of smaller boxes may exceed 32 bits.
     pub(super) fn is_finest(&self, fastest: f64) -> bool {
         const MAX_COUNT: f64 = (1_u32 << 30) as f64; // exact: a power of two
         self.grid.columns as f64 >= MAX_COUNT || fastest * self.grid.rows >= MAX_COUNT // exact: a power of two
     }
 
-    /// The same with each box cut into two, across its longer side.
+    /// The component with each box cut into two, across the longer side.
     fn halved(&self) -> Self {
         let Grid { columns, rows } = self.grid;
         let is_wide = TAU / columns as f64 > 1.0 / rows; // A6: any boxes

@@ -19,7 +19,7 @@ const MAX_DATA_WIDTH: f64 = 1e-6;
 /// A rectangle of states: bounds of phases, not farther than a forcing period from those of a period, and of speeds.
 type Hull = [[f64; 2]; 2];
 
-/// Returns the attracting cycles that are proved to be in components that are open, each with the place of its component. Lemma A14
+/// Proves attracting cycles in the open components, each with the place of its component. Lemma A14
 pub(super) fn within(
     pair: &ImpactPair,
     space: &Space,
@@ -63,7 +63,7 @@ fn among(
     found
 }
 
-/// Returns whether an orbit is stable, and closes after N impacts of the reduced map. Lemma A14
+/// Whether an orbit is stable, and closes after `impacts` impacts of the reduced map. Lemma A14
 fn attracts_after(orbit: &PeriodicOrbit, impacts: usize) -> bool {
     // A14: where it closes after two rounds, they are one under the reduced map
     let is_round = orbit.impacts.len() == impacts || orbit.symmetric == Some(true);
@@ -84,12 +84,12 @@ fn place(components: &[&Component], hulls: &[Hull]) -> Option<usize> {
     met.next().filter(|_| met.next().is_none())
 }
 
-/// Returns whether rectangles have no state in common with one another, nor with those that are taken.
+/// Whether rectangles have no state in common with one another, nor with those that are taken.
 fn are_apart(taken: &[Hull], own: &[Hull]) -> bool {
     (0..own.len()).all(|i| taken.iter().chain(&own[..i]).all(|other| is_apart(other, &own[i])))
 }
 
-/// Returns whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
+/// Whether two rectangles have no state in common, modulo whole forcing periods. Lemma A14
 fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
     let are_beside = |[low, high]: [f64; 2], other: &[f64; 2]| low > other[1] || high < other[0];
     are_beside(*speeds, their_speeds)

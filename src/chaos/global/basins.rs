@@ -38,7 +38,7 @@ pub struct Basin {
     pub area: f64,
 }
 
-/// Returns the basins of all attractors, as far as they are proved; `None` where the state space is not among the patches. Lemma A11
+/// Proved parts of the basins of all attractors; `None` where the state space is not among the patches. Lemma A11
 pub(super) fn basins(components: &[Recurrence], patches: &[Patch], fastest: f64) -> Option<Vec<Basin>> {
     let all = || patches.iter().filter(|patch| !matches!(patch.goes, BasinOutcome::Within(_)));
     all().next()?;
@@ -65,8 +65,7 @@ impl Patch {
 }
 
 impl Analysis<'_> {
-    /// Returns the boxes of all components, and with N boxes for basins the state space in rectangles, each with where its motions go.
-    /// Lemma A11
+    /// Boxes of all components; with `boxes`, also the state space in about that many rectangles, each with the end of its motions. Lemma A11
     pub fn patches(&self, components: &[Recurrence], boxes: Option<u32>) -> Vec<Patch> {
         let mut patches = Vec::new();
         let leaves: Vec<&Component> = self.leaves(0).into_iter().map(|leaf| &self.nodes[leaf].component).collect();
@@ -109,8 +108,7 @@ impl Analysis<'_> {
     }
 }
 
-/// Returns for each component of a graph the components that are left which motions that stay in it may be in: those whose boxes meet its
-/// own. Lemma A11
+/// For each component of a graph, the recurrent components in which its motions can end: those whose boxes meet its boxes. Lemma A11
 fn held(found: &[Component], leaves: &[&Component]) -> Vec<BTreeSet<usize>> {
     let mut held = vec![BTreeSet::new(); found.len()];
     let Some(grid) = found.first().map(|own| own.grid) else { return held };

@@ -42,7 +42,7 @@ const MOST_BOXES: usize = 20_000;
 /// A matrix that holds derivatives.
 pub(super) type Matrix = [[Ball; 2]; 2];
 
-/// Returns the cycle that all motions of a component tend to, proved; `None` where none is found, or nothing is proved.
+/// Proves the cycle that all motions of a component tend to; `None` where none is found, or nothing is proved.
 pub(super) fn limit(space: &Space, component: &Component) -> Option<Limit> {
     if component.has_release || component.cells.is_empty() || component.cells.len() > MOST_BOXES {
         return None; // exact: given up, nothing is certified
@@ -74,7 +74,7 @@ fn proposals(guess: &Guess, seed: State, boxes: usize) -> Vec<Vec<State>> {
     own.into_iter().chain((1..=longest).filter_map(|n| closed(guess, seed, n))).collect()
 }
 
-/// Returns the cycle of N impacts near a state, by Newton's iteration.
+/// Proposes the cycle of `impacts` impacts near a state, by Newton's iteration.
 pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Option<Vec<State>> {
     let mut state = seed;
     for _ in 0..STEPS {
@@ -104,7 +104,7 @@ pub(in crate::chaos) fn closed(guess: &Guess, seed: State, impacts: usize) -> Op
 }
 
 impl Component {
-    /// Returns whether a state is in one of its boxes, or in one beside it.
+    /// Whether a state is in one of the component's boxes, or in a box beside one.
     pub(super) fn is_near(&self, [phase, speed]: State) -> bool {
         let (column, row) = self.grid.cell(phase, speed);
         let columns = self.grid.columns as i32; // exact: fewer than 2^31
@@ -113,7 +113,7 @@ impl Component {
     }
 }
 
-/// Returns whether two cycles are the same in floating point, from whichever state on.
+/// Whether two cycles are the same in floating point, from whichever state on.
 fn is_one(one: &[State], other: &[State]) -> bool {
     one.len() == other.len() && other.iter().any(|state| apart(*state, one[0]) < RETURN_DISTANCE)
 }
@@ -193,8 +193,8 @@ fn derivative(space: &Space, [phases, speeds]: &[[f64; 2]; 2], state: State, ima
     landing(space, &quad, image.side, image.state[0] - image.side.shift() + turned)
 }
 
-/// Returns the derivatives of the map in a quadrilateral all of whose flights land on one wall, about the phase that is given, within three
-/// quarters of a forcing period. Lemma A8
+/// Encloses the derivatives of the map in a quadrilateral all of whose flights land on one wall, within three quarters of a forcing\nperiod about
+/// the given phase. Lemma A8
 pub(super) fn landing(space: &Space, quad: &Quad, side: Side, about: f64) -> Option<Matrix> {
     let landing = Flights::new(space.law(), quad).land(side, about)?;
     let [zero, one] = [0.0, 1.0].map(Ball::exact);
@@ -271,7 +271,7 @@ pub(super) fn within(derivative: Matrix, from: [[f64; 2]; 2], to: [[f64; 2]; 2])
     Some([[over(p)?, over(q)?], [over(r)?, over(s)?]])
 }
 
-/// Returns whether the product of bounds of the spectral norms is less than 1. Lemma A8
+/// Whether the product of bounds of the spectral norms is less than 1. Lemma A8
 fn is_contraction(steps: &[Matrix]) -> bool {
     let norm = |[[a, b], [c, d]]: &Matrix| {
         let squares = *a * *a + *b * *b + *c * *c + *d * *d;
@@ -283,7 +283,7 @@ fn is_contraction(steps: &[Matrix]) -> bool {
     steps.iter().fold(1.0, |product: f64, step| (product * norm(step)).next_up()) < 1.0
 }
 
-/// Returns whether cones about the first direction are mapped into themselves and stretched, and the rest is contracted. Lemma A8
+/// Whether cones about the first direction are mapped into themselves and stretched, and the second direction is contracted. Lemma A8
 fn is_saddle(steps: &[Matrix]) -> bool {
     let (mut stretched, mut shrunk) = (1.0_f64, 1.0_f64);
     for [[a, b], [c, d]] in steps {

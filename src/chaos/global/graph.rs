@@ -22,7 +22,7 @@ pub(super) struct Component {
 }
 
 impl Component {
-    /// Returns the columns that its boxes are in, in order.
+    /// Columns of the component's boxes, in order.
     pub fn columns(&self) -> Vec<i32> {
         let mut columns: Vec<i32> = self.cells.iter().map(|(column, _)| *column).collect();
         columns.dedup();
@@ -86,7 +86,7 @@ impl Allowance {
 type Share = (Vec<(u32, u32, bool)>, Vec<u32>);
 
 impl Graph {
-    /// Returns that of some boxes of a grid, in order, and of the release, and the work of their images, if that is not more than allowed.
+    /// Builds the image graph of `component`'s boxes and of the release, and returns its work; fails when it takes more than `allowed` work.
     pub fn of(
         space: &Space,
         component: &Component,
@@ -132,8 +132,8 @@ impl Graph {
         Ok((graph, allowance.done.into_inner()))
     }
 
-    /// Returns the recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed` says whether
-    /// nothing leaves the boxes of the graph. Lemma A6
+    /// Recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed`: nothing leaves the boxes\nof the
+    /// graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;
         let Walks { parts, number, index, reached, lost } = &Walks::of(&self.next, &self.leaves);
@@ -170,7 +170,7 @@ impl Graph {
         Recurrent { components, leads, passed, ends }
     }
 
-    /// Returns whether motions that stay among the boxes are released infinitely often: none stays in boxes alone. Lemma A10
+    /// Whether motions that stay among the boxes are released infinitely often: none stays in boxes alone. Lemma A10
     pub fn is_released_always(&self) -> bool {
         let release = self.cells.len();
         let boxes = |node: usize| self.next.of(node as u32).iter().map(|&to| to as usize).filter(|&to| to != release); // exact: indices
@@ -179,7 +179,7 @@ impl Graph {
     }
 }
 
-/// Returns the edges from some of the boxes, the first of which has the number `first`, and those of them that something outside may follow.
+/// Edges from the boxes `some`, the first of which has the number `first`, and those boxes that something outside may follow.
 fn images(
     space: &Space,
     (grid, columns): (Grid, &[i32]),

@@ -23,7 +23,7 @@ const TRANSIENT: usize = 4;
 /// H-sets have phases, in forcing periods, from -1 to 2.
 const PHASE_RANGE: std::ops::RangeInclusive<i64> = -2..=2;
 
-/// Returns a horseshoe whose motions are in a component in the end, not in another one, by words of at most N impacts; `None` where none is
+/// Proves a horseshoe whose motions end in this component, not in another one, by words of at most `depth` impacts. `None` where no\nhorseshoe is
 /// proved. Lemma A13
 pub(super) fn within(
     space: &Space,
@@ -63,7 +63,7 @@ fn staying(guess: &Guess, component: &Component) -> Option<AttractorOrbit> {
     (!points.is_empty()).then_some(AttractorOrbit { points, exponent })
 }
 
-/// Returns whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
+/// Whether no box of a component meets an h-set, modulo whole forcing periods. Lemma A13
 fn is_apart(component: &Component, bases: &[HSet]) -> bool {
     let Grid { columns, rows } = component.grid;
     let meets = |base: &HSet, (column, row): Cell| {

@@ -104,14 +104,14 @@ impl Space {
         &self.law
     }
 
-    /// Returns the speed that none exceeds in the end: a multiple of 1/64. Lemma A1
+    /// Speed that no motion exceeds in the end: a multiple of 1/64. Lemma A1
     pub fn fastest(&self) -> f64 {
         let limit = 2.0 / (1.0 - self.restitution[1]) * (1.0 + 8.0 * UNIT);
         SPEED_STEP * ((limit / SPEED_STEP).floor() + 1.0) // A1: greater than the limit
     }
 
-    /// Notes all that may follow the states of a box. Flights that last long, and land in all columns, are noted in those of `requested`,
-    /// which are in order. Returns the work: views of flights, columns of long ones, and what is noted.
+    /// Notes all events that may follow the states of a box. Long flights, which land in all columns, are noted in the columns
+    /// `requested`,\nwhich are in order. Returns the work: views of flights, columns of long ones, and noted events.
     pub fn images(&self, grid: Grid, (column, row): Cell, requested: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];
@@ -238,7 +238,7 @@ impl Space {
         work + self.slow((grid, requested), self.drifts(flights, longest - 1.0), note)
     }
 
-    /// Returns the number of forcing periods for which flights are followed: few where they may end in several.
+    /// Number of forcing periods for which flights are followed: few where flights may end in several forcing periods.
     fn longest_flight(&self, flights: &Flights) -> f64 {
         let [low, high] = ends(flights.drifts());
         let [least, most] = [high.abs(), low.abs()].map(|drift| self.gap[1] / drift); // proposes: any number of them
@@ -246,7 +246,7 @@ impl Space {
         if is_spread { MAX_BRANCHING_FLIGHT } else { MAX_FLIGHT }
     }
 
-    /// Bounds of the drifts of those that have touched no wall for N forcing periods. Lemma A4
+    /// Bounds of the drifts of flights that have touched no wall for `periods` forcing periods. Lemma A4
     fn drifts(&self, flights: &Flights, periods: f64) -> [f64; 2] {
         let [low, high] = ends(flights.drifts());
         let angle = TAU * periods * (1.0 - 8.0 * UNIT);
@@ -304,7 +304,7 @@ impl Space {
         (low..=high).count() as u64 // exact: a length
     }
 
-    /// Returns whether all chatters that begin at these phases with at most this speed are complete: Z1 for all of these states. Lemma A5
+    /// Whether all chatters that begin at these phases with at most this speed are complete: Z1 for all of these states. Lemma A5
     pub fn chatters(&self, [from, to]: [f64; 2], speed: f64) -> bool {
         if !(from > 0.5 && to < 1.0) {
             return false; // A5: only where the ball is pressed
@@ -333,7 +333,7 @@ fn over([low, high]: [f64; 2]) -> (Ball, Ball) {
     Ball::new(middle, up((middle - low).max(high - middle))).sin_cos() // D1: the farther end
 }
 
-/// Returns whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
+/// Whether a flight of more than a forcing period, with such a drift, may end at such phases. Lemma A4
 fn may_land_late(side: Side, [low, high]: [f64; 2], phases: [f64; 2]) -> bool {
     let sin = ends(over(phases).0);
     let fall = |drift: f64| up(TAU * drift * (1.0 + 4.0 * UNIT));

@@ -34,7 +34,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Returns the word of the JSON.
+    /// Name of the kind in the JSON output.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Attracting(_) => "attracting",
@@ -45,17 +45,17 @@ impl Kind {
         }
     }
 
-    /// Returns whether motions near it are proved to tend to it.
+    /// Whether motions near the component are proved to tend to it.
     pub fn is_attractor(&self) -> bool {
         matches!(self, Self::Attracting(_) | Self::RestCycle(_))
     }
 
-    /// Returns whether nothing is proved.
+    /// Whether nothing is proved.
     pub fn is_undecided(&self) -> bool {
         matches!(self, Self::Undecided)
     }
 
-    /// Returns the periodic motion without rests.
+    /// The periodic motion without rests.
     pub fn limit(&self) -> Option<&LimitCycle> {
         match self {
             Self::Attracting(limit) | Self::Saddle(limit) => Some(limit),
@@ -242,8 +242,8 @@ impl LimitCycle {
 }
 
 impl LimitCycle {
-    /// Returns whether the cycle is proved to be in the boxes of a component: `true` where the bounds of one of its states meet no box of any
-    /// other component, `false` where those of one state meet no box of this one; `None` where neither is so. Lemma A8 (place)
+    /// Whether the cycle is proved to be in the boxes of a component: `true` where the bounds of one state meet no box of any other
+    /// component,\n`false` where the bounds of one state meet no box of this component; else `None`. Lemma A8 (place)
     pub(super) fn is_in(&self, law: &Law, component: &Component, others: &[&Component]) -> Option<bool> {
         let states: Option<Vec<[Ball; 2]>> = self.orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect();
         let states = states?;
@@ -259,7 +259,7 @@ impl LimitCycle {
     }
 }
 
-/// Returns the phase, in forcing periods, and the speed, over `A W`, of an impact seen on the left wall.
+/// Phase, in forcing periods, and speed, over `A W`, of an impact mirrored to the left wall.
 pub(super) fn mirrored(impact: &PeriodicImpact, law: &Law) -> Option<[Ball; 2]> {
     let (phase, radius) = impact.phase.mid_rad();
     let shift = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
@@ -268,7 +268,7 @@ pub(super) fn mirrored(impact: &PeriodicImpact, law: &Law) -> Option<[Ball; 2]> 
     Some([phase, Ball::new(velocity.abs(), radius).checked_div(law.beta()?)?])
 }
 
-/// Returns whether the states of a period of the reduced map are proved not to repeat within it. Lemma A8 (least period)
+/// Whether the states of a period of the reduced map are proved not to repeat within it. Lemma A8 (least period)
 pub(super) fn is_least_period(states: &[[Ball; 2]]) -> bool {
     let count = states.len();
     let are_apart = |[[phase, speed], [other, its_speed]]: [[Ball; 2]; 2]| {
@@ -280,13 +280,13 @@ pub(super) fn is_least_period(states: &[[Ball; 2]]) -> bool {
     (1..count).filter(|&n| count.is_multiple_of(n)).all(is_apart_after)
 }
 
-/// Returns whether an orbit is proved to be a motion, without an earlier contact, and in rectangles, one after the other. Lemma A8
+/// Whether an orbit is proved to be admissible, and to have its impacts in the rectangles, one after the other. Lemma A8
 pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     orbit.physical == Some(true) && is_in_turn(orbit, law, hulls)
 }
 
-/// Returns whether the impacts of a period, mirrored to the left wall and less whole forcing periods, are proved to be in rectangles, one
-/// after the other, round after round: those of two rounds in the same ones. Lemma A8
+/// Whether the impacts of a period are proved to be in the rectangles, one after the other, round after round. Impacts are mirrored to\nthe left
+/// wall, less whole forcing periods; two rounds use the same rectangles. Lemma A8
 pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
         mirrored(impact, law).is_some_and(|[phase, speed]| {
@@ -296,14 +296,14 @@ pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2
     })
 }
 
-/// Returns whether all members are between two bounds.
+/// Whether all members are between two bounds.
 fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
     let [least, most] = ends(x);
     low <= least && most <= high
 }
 
-/// Returns bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for a period of the reduced map if theirs is so
-/// many: one or two. Lemma A8
+/// Bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for one period of the reduced map. The eigenvalues\nbelong
+/// to `rounds` such periods: 1 or 2. Lemma A8
 pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
     let square = |x: &Enclosure| x.powi(2, BITS);
     let modulus = |[re, im]: [&Enclosure; 2]| Some(square(re)?.add(&square(im)?, BITS));
@@ -314,7 +314,7 @@ pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) 
     if rounds == 2 { radius.sqrt(BITS) } else { Some(radius) }
 }
 
-/// Returns whether the motions that stay in a component are proved to be at the state that grazes for ever. Lemma A9
+/// Whether the motions that stay in a component are proved to be at the state that grazes for ever. Lemma A9
 pub(super) fn is_grazing(space: &Space, component: &Component) -> bool {
     let (columns, rows) = (component.grid.columns as f64, component.grid.rows); // exact: a power of two
     let angle = std::f64::consts::TAU / columns * (1.0 + 1e-15);

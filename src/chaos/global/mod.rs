@@ -1,8 +1,8 @@
 //! Global analysis of a pair: the components that all its motions end in. Lemmas A1-A14 of `docs/proofs/global.md#A1`.
 //!
-//! The speeds that motions have in the end are covered by boxes; `image` encloses what may follow each, `graph` finds the components that
-//! motions may stay in for ever, `analysis` refines each alone, `cycle` proves what they tend to there, `attractors` and `horseshoes` what is in
-//! those of which that is not proved, and `basins` tells which boxes have motions that all go to one attractor.
+//! Boxes cover the speeds that motions have in the end. `image` encloses all that may follow each box; `graph` finds the components that\nmotions
+//! may stay in for ever; `analysis` refines each component alone. `cycle` proves the limits of their motions. Where no limit is
+//! proved,\n`attractors` and `horseshoes` look inside. `basins` finds the boxes whose motions all go to one attractor.
 
 mod analysis;
 mod attractors;
@@ -99,7 +99,7 @@ impl GlobalSettings {
         require_digits(self.precision.digits)
     }
 
-    /// Returns the limits by default for one of many cells of two parameters: fewer boxes, less work.
+    /// Default limits for one of many cells of two parameters: fewer boxes, less work.
     pub fn of_cell() -> Self {
         Self { boxes: 1 << 12, most: 20_000, work: DEFAULT_WORK / 20, ..Self::default() }
     }
@@ -123,7 +123,7 @@ pub struct Recurrence {
 }
 
 impl Recurrence {
-    /// Returns that of a motion that has no boxes of its own.
+    /// The component of a motion that has no boxes of its own.
     fn point(kind: Kind) -> Self {
         Self { kind, boxes: 0, area: 0.0, is_closed: true, reason: None, horseshoe: None }
     }
@@ -143,7 +143,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// Returns the word of the JSON: the option that sets the limit.
+    /// Name of the reason in the JSON output: the option that sets the limit.
     pub fn name(self) -> &'static str {
         match self {
             Self::Most => "most",
@@ -191,7 +191,7 @@ pub enum Class {
 }
 
 impl Class {
-    /// Returns the word of the JSON.
+    /// Name of the class in the JSON output.
     pub fn name(self) -> &'static str {
         match self {
             Self::OneRestCycle => "one-rest-cycle",
@@ -204,12 +204,12 @@ impl Class {
 }
 
 impl Global {
-    /// Returns what is proved of the basin of each attractor, if basins were requested.
+    /// Proved part of the basin of each attractor, if basins were requested.
     pub fn basins(&self) -> Option<Vec<Basin>> {
         basins::basins(&self.components, &self.patches, self.fastest)
     }
 
-    /// Returns where the motions of a pair go, until the watch stops it.
+    /// Finds the ends of all motions of a pair, until the watch stops the analysis.
     ///
     /// # Errors
     /// With settings that are not accepted, several harmonics, or a restitution that is not below 0.99, and when a value is beyond the range
@@ -238,7 +238,7 @@ impl Global {
         })
     }
 
-    /// Returns whether a pair is one that is analysed.
+    /// Whether [`of`](Self::of) accepts a pair.
     ///
     /// # Errors
     /// As of [`of`](Self::of).
@@ -258,7 +258,7 @@ impl Global {
         })
     }
 
-    /// Returns what all motions do.
+    /// Class of the pair, from the kinds of all components.
     pub fn class(&self) -> Class {
         let count = |is: fn(&Kind) -> bool| self.components.iter().filter(|component| is(&component.kind)).count();
         let attractors = count(Kind::is_attractor);

@@ -45,7 +45,7 @@ struct Piece {
 /// Directions at a group, as columns: the first is stretched.
 type Frame = [[f64; 2]; 2];
 
-/// Returns whether the states of a component that stay in it for ever have no area, and are stretched apart. Lemma A12
+/// Whether the states of a component that stay in it for ever are proved to have no area, and to be stretched apart. Lemma A12
 pub(super) fn is_of_saddle_type(space: &Space, component: &Component) -> bool {
     if component.has_release || component.cells.is_empty() || component.cells.len() > MOST_BOXES {
         return false; // exact: given up, nothing is certified
@@ -112,7 +112,7 @@ impl<'c> Groups<'c> {
         Some(Self { component, group, lifted, count })
     }
 
-    /// Returns all that leads from a group to one; `None` where that is too much.
+    /// All pieces, from each group to each group; `None` where they are too much work.
     fn pieces(&self, space: &Space) -> Option<Vec<Piece>> {
         let Component { grid, cells, .. } = self.component;
         let columns = self.component.columns();
@@ -148,7 +148,7 @@ impl<'c> Groups<'c> {
         [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)]
     }
 
-    /// Returns the image of the middle of a piece; `None` where it is not on the wall of the piece.
+    /// Image of the middle of a piece; `None` where the image is not on the wall of the piece.
     fn image(&self, guess: &Guess, piece: &Piece) -> Option<Image> {
         let middle = self.corners(piece.boxes[piece.boxes.len() / 2]);
         let centre = [0.5 * (middle[0][0] + middle[3][0]), 0.5 * (middle[0][1] + middle[3][1])];
@@ -242,8 +242,8 @@ fn stretching([[a, b], [c, d]]: &Matrix) -> Option<f64> {
     (long > 0.0 && wide <= long).then_some(long)
 }
 
-/// Returns whether the lengths of the sets that stay for N impacts tend to 0 as N grows: the matrix of the inverses of what they are
-/// stretched by has a spectral radius below 1. Lemma A12
+/// Whether the lengths of the sets that stay for n impacts tend to 0 as n grows: the matrix of the inverse stretching factors has a\nspectral
+/// radius below 1. Lemma A12
 fn vanishes(count: usize, stretched: &[(&Piece, f64)]) -> bool {
     let mut lengths = vec![1.0; count];
     let sums = |lengths: &[f64]| {

@@ -42,7 +42,7 @@ fn noted(space: &Space, grid: Grid, state: [f64; 2]) -> (Vec<(i32, i32)>, bool) 
     (boxes, is_released)
 }
 
-/// Returns whether a state is within 1e-6 of one of a cycle.
+/// Whether a state is within 1e-6 of a state of the cycle.
 fn is_near(limit: &LimitCycle, speed_unit: f64, [phase, speed]: [f64; 2]) -> bool {
     limit.orbit.impacts.iter().any(|impact| {
         let half = if impact.wall == crate::pair::Wall::Right { 0.5 } else { 0.0 };
@@ -129,7 +129,7 @@ fn a14_attractors_in_undecided_components_are_found() {
     }
 }
 
-/// Returns whether each state of an attractor without boxes of its own is in one of a component.
+/// Whether each state of an attractor without boxes of its own is in a box of a component.
 fn is_in_boxes(found: &Global, component: usize, point: usize) -> bool {
     let limit = found.components[point].kind.limit().unwrap();
     limit.orbit.impacts.iter().all(|impact| {

@@ -17,7 +17,7 @@ pub(super) struct Walks {
 }
 
 impl Walks {
-    /// Returns those of the graph with these edges; `leaves` are the nodes that something leaves the graph from.
+    /// The parts and walks of the graph with these edges; `leaves` are the nodes that something leaves the graph from.
     pub fn of(next: &Links, leaves: &[bool]) -> Self {
         let count = leaves.len();
         let forth: Vec<Vec<usize>> = (0..count)

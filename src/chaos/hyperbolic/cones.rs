@@ -23,8 +23,8 @@ pub(crate) struct Proved {
 }
 
 impl Map<'_> {
-    /// Returns the images of cells that cover a word's strip, or why it is not proved to be mapped across the next h-set, and each cell
-    /// that meets the h-set to map the cone of slopes up to `kappa` into itself, and to expand. Lemmas D25, D26
+    /// Images of cells that cover a word's strip. Proved: the strip is mapped across the next h-set; each cell that meets the h-set maps
+    /// the\ncone of slopes up to `kappa` into itself, and expands. Else the reason why not. Lemmas D25, D26
     pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Result<Vec<Image>, LeftOut> {
         if !is_flat(branch, kappa) {
             return Err(LeftOut::Leaning);
@@ -35,8 +35,8 @@ impl Map<'_> {
         self.cut(branch, vec![Cell::WHOLE], (&|_, _, _| true, &is_good), watch)
     }
 
-    /// Returns whether it is proved that no state of a word's strip is, on the way, where another word begins whose flights are the last
-    /// ones of this one, at a height that an image of a word has there. Lemma D25
+    /// Whether no state of a word's strip is proved to be, on the way, in the strip of a shorter word whose flights are the last ones of
+    /// this\nword. Only heights that an image of a word has there count. Lemma D25
     pub fn is_alone(&self, word: &Proved, all: &[Proved], heights: &[Ball], watch: &dyn Watch) -> bool {
         let branch = &word.branch;
         let shortcuts: Vec<Shortcut<'_>> = all.iter().filter_map(|other| Shortcut::of(branch, &other.branch)).collect();
@@ -50,7 +50,7 @@ impl Map<'_> {
         shortcuts.is_empty() || self.cut(branch, cells, (&passed, &|_| true), watch).is_ok()
     }
 
-    /// The images of cells, cut until each of them passes and is good, or why one never is.
+    /// Images of cells, cut until each cell passes and is good, or the reason why one never is.
     fn cut(
         &self,
         branch: &Branch,
@@ -85,13 +85,13 @@ impl Map<'_> {
 /// Conditions on the states on the way, and on the images.
 type Condition<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
 
-/// Returns whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
+/// Whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
 pub(crate) fn is_flat(branch: &Branch, kappa: f64) -> bool {
     let Strip { slope, taper, .. } = branch.strip;
     up(kappa * up(slope.abs() + taper.abs())) < 1.0
 }
 
-/// Returns whether all of the image is between bottom and top of the h-set, and the images of the strip's sides are beyond its edges. Lemma D25
+/// Whether the whole image is between bottom and top of the h-set, and the images of the strip's sides are beyond its edges. Lemma D25
 fn crosses(branch: &Branch, image: &Image) -> bool {
     let one = Ball::exact(1.0);
     let height = image.spread(1);
@@ -108,7 +108,7 @@ fn crosses(branch: &Branch, image: &Image) -> bool {
     is_between && [-1.0, 1.0].iter().all(|&end| (a + end * r) * end < 1.0 || beyond(end))
 }
 
-/// Returns whether a cell whose image meets the h-set maps the cone of slopes up to `kappa` into itself, and expands. Lemma D26
+/// Whether a cell whose image meets the h-set maps the cone of slopes up to `kappa` into itself, and expands. Lemma D26
 fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     let sign = if branch.rises { 1.0 } else { -1.0 };
     [-kappa, kappa].iter().all(|&slope| {
@@ -119,7 +119,7 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     })
 }
 
-/// Returns whether the expansion is known well enough to be worth bounding; any answer is sound.
+/// Whether the expansion is known well enough to be worth bounding; any answer is sound.
 fn is_known(branch: &Branch, image: &Image) -> bool {
     let part = EXPANSION_ACCURACY * branch.sides.len() as f64; // exact: a length
     image.direction(0.0).is_some_and(|[x, _]| x.rad() < part * x.mid().abs()) // proposes
@@ -140,7 +140,7 @@ impl<'b> Shortcut<'b> {
         is_end.then_some(Self { passed, turns: word.turns - branch.turns, branch })
     }
 
-    /// Returns whether no sum of `centre` and parts of both sides is in the strip at the heights of images. Lemma D25
+    /// Whether no sum of `centre` and parts of both sides is in the strip at the heights of images. Lemma D25
     fn is_clear(&self, frame: &Frame, heights: Ball, (centre, sides): ([Ball; 2], &Sides)) -> bool {
         let (Some(middle), [Some(breadth), Some(height)]) =
             (frame.place(centre, self.turns), sides.both().map(|side| frame.coordinates(side)))

@@ -22,13 +22,13 @@ pub(crate) fn cross([a, b]: [Ball; 2], [c, d]: [Ball; 2]) -> Ball {
     a * d - b * c
 }
 
-/// Returns a lower bound of the absolute values inside: negative where one may be 0.
+/// Lower bound of the absolute values of all members: negative where a member may be 0.
 pub(crate) fn least(x: Ball) -> f64 {
     (x.mid().abs() - x.rad()) * (1.0 - 4.0 * UNIT)
 }
 
 impl Frame {
-    /// Returns the parallelogram of the half vectors between the middles of opposite edges.
+    /// Parallelogram of the half vectors between the middles of opposite edges.
     pub fn of(HSet { left, right }: &HSet) -> Self {
         let mean = |f: &dyn Fn(usize) -> f64| [0, 1].map(|i| 0.25 * f(i));
         let (p, q, r, s) = (left.bottom, left.top, right.bottom, right.top);
@@ -39,7 +39,7 @@ impl Frame {
         Self { centre, along, across, determinant }
     }
 
-    /// Returns whether its directions are proved not to be parallel, the second one to the left.
+    /// Whether the two directions are proved not to be parallel, the second one to the left.
     pub fn is_proper(&self) -> bool {
         is_positive(self.determinant)
     }
@@ -51,7 +51,7 @@ impl Frame {
         Some([xi, eta])
     }
 
-    /// Holds the coordinates of a state, N forcing periods earlier.
+    /// Holds the coordinates of a state, `turns` forcing periods earlier.
     pub fn place(&self, [u, w]: [Ball; 2], turns: f64) -> Option<[Ball; 2]> {
         let [centre, speed] = point(self.centre);
         self.coordinates([u - Ball::exact(turns) - centre, w - speed])
@@ -68,7 +68,7 @@ impl Frame {
         [u + Ball::exact(self.centre[0]), w + Ball::exact(self.centre[1])]
     }
 
-    /// Returns whether it is proved that no state of another one, N forcing periods earlier, is between two of its opposite edges.
+    /// Whether no state of `other`, `turns` forcing periods earlier, is proved to be between two opposite edges of this parallelogram.
     fn parts(&self, other: &Self, turns: f64) -> bool {
         let Some(centre) = self.place(point(other.centre), turns) else { return false };
         let (Some(a), Some(b)) = (self.coordinates(point(other.along)), self.coordinates(point(other.across))) else {
@@ -79,12 +79,12 @@ impl Frame {
         })
     }
 
-    /// Returns whether it has no state in common with another one, nor whole forcing periods earlier or later, if both are near. Lemma D25
+    /// Whether this parallelogram and `other` have no state in common, also whole forcing periods earlier or later, if both are near. Lemma D25
     pub fn is_apart(&self, other: &Self) -> bool {
         (-3..=3).all(|turns| self.is_parted(other, f64::from(turns)))
     }
 
-    /// Returns whether it has no state in common with itself whole forcing periods later: by its convexity one is enough. Lemma D9
+    /// Whether the parallelogram is disjoint from its translates by whole forcing periods: by convexity one translate is enough. Lemma D9
     pub fn is_apart_from_its_translates(&self) -> bool {
         self.is_parted(self, 1.0)
     }
@@ -93,7 +93,7 @@ impl Frame {
         self.parts(other, turns) || other.parts(self, -turns)
     }
 
-    /// Returns whether its phases are from -1 to 2 and its speeds positive, which those of the h-set need not imply. Lemma D25
+    /// Whether all phases are from -1 to 2 and all speeds positive, which those of the h-set need not imply. Lemma D25
     pub fn is_near(&self) -> bool {
         let [u, w] = [0, 1].map(|i| Ball::new(self.centre[i], 0.0).widened(self.along[i].abs() + self.across[i].abs()));
         is_positive(u + Ball::exact(1.0)) && is_positive(Ball::exact(2.0) - u) && is_positive(w)

@@ -20,12 +20,12 @@ pub enum LeftOut {
     Return,
     /// The expansion of strings of words is not bounded.
     Strings,
-    /// It was stopped.
+    /// The search was stopped.
     Interrupted,
 }
 
 impl LeftOut {
-    /// Returns the reason as documents name it.
+    /// Name of the reason in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::Overlap => "overlap",
@@ -39,7 +39,7 @@ impl LeftOut {
         }
     }
 
-    /// Returns the reason in words.
+    /// The reason in words, for messages.
     pub fn words(self) -> String {
         let words = match self {
             Self::Overlap => "the h-sets overlap as parallelograms",

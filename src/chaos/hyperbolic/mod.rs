@@ -81,8 +81,8 @@ pub struct Hyperbolic {
 }
 
 impl Hyperbolic {
-    /// Returns the set of those words that are proved to be hyperbolic and to lead back to each other, or why none of them are. `watch`
-    /// receives the number of cells.
+    /// Hyperbolic set of those words that are proved to expand and that lead back to each other, or the reasons why there is none.
+    /// `watch`\nreceives the number of cells.
     ///
     /// # Errors
     /// If the pair has several harmonics, or a value is beyond the range of flights.
@@ -167,14 +167,14 @@ fn expanding(
     all
 }
 
-/// Returns whether the parallelograms hold states of positive speed only, and have none in common, modulo whole forcing periods. Lemma D25
+/// Whether the parallelograms hold states of positive speed only, and have none in common, modulo whole forcing periods. Lemma D25
 fn are_apart(frames: &[Frame]) -> bool {
     let apart = |k: usize| frames[..k].iter().all(|other| frames[k].is_apart(other));
     let is_sound = |frame: &Frame| frame.is_proper() && frame.is_near() && frame.is_apart_from_its_translates();
     (0..frames.len()).all(|k| is_sound(&frames[k]) && apart(k))
 }
 
-/// Returns whether a strip is in its h-set, apart from those that are there, and its flights take some time. Lemma D25
+/// Whether a strip is in its h-set, apart from the strips that are there, and its flights take some time. Lemma D25
 fn fits(branch: &Branch, strips: &[(usize, Branch)]) -> bool {
     let mut others = strips.iter().map(|(_, other)| other).filter(|other| other.from == branch.from);
     branch.half_turns > 0 && branch.strip.is_inside() && others.all(|other| branch.strip.is_apart(&other.strip))

@@ -27,7 +27,7 @@ struct Sample {
     images: Vec<(State, Side)>,
 }
 
-/// The middle line of an h-set, seen N impacts ahead.
+/// Middle line of an h-set, and its images after `impacts` impacts.
 struct Line<'l> {
     guess: &'l Guess,
     frames: &'l [Frame],
@@ -88,7 +88,7 @@ impl Line<'_> {
         Some(inside(&self.frames[word.to], state, word.turns)[0])
     }
 
-    /// Returns the place on a row at which `xi` of the image has this value, near a guess.
+    /// Place on a row at which `xi` of the image has this value, near a guess.
     fn solve(&self, word: &ListedWord, value: f64, near: f64, eta: f64) -> Option<f64> {
         let (mut a, mut b) = (near, near + 1e-6);
         let mut at_a = self.image(word, a, eta)? - value;
@@ -137,7 +137,7 @@ fn seen((number, word): (usize, &Word)) -> ListedWord {
     ListedWord { number, from: word.from, to: word.to, turns: 0.5 * (word.half_cycles + far) as f64, sides }
 }
 
-/// Returns the words whose strips are seen, with their numbers among those that are listed.
+/// Words whose strips are seen, with their numbers among the listed words.
 pub(super) fn branches(guess: &Guess, frames: &[Frame], words: &[Word]) -> Vec<(usize, Branch)> {
     let mut found = Vec::new();
     let mut words: Vec<ListedWord> = words.iter().enumerate().map(seen).collect();

@@ -87,7 +87,7 @@ fn eigenvector(matrix: &[(usize, usize, f64)], nodes: usize) -> (Vec<f64>, f64) 
     (vector, value)
 }
 
-/// Returns whether the growth at `t` is proved to be at most 0, weights being at their least, or at least 0, weights being at their most. Lemma D27
+/// Whether the growth at `t` is proved: at most 0 with all weights at their least, or at least 0 with all weights at their most. Lemma D27
 fn is_bound(edges: &[Edge], nodes: usize, end: End, t: f64) -> bool {
     let sign = if end == End::Least { 1.0 } else { -1.0 };
     let mut matrix = Vec::with_capacity(edges.len());
@@ -107,12 +107,12 @@ fn is_bound(edges: &[Edge], nodes: usize, end: End, t: f64) -> bool {
     vector.iter().all(|&x| x > 0.0) && excess.iter().all(|&x| is_not_negative(Ball::exact(sign) * x))
 }
 
-/// Returns whether no member is negative; `false` for a NaN.
+/// Whether no member is negative; `false` for a NaN.
 fn is_not_negative(x: Ball) -> bool {
     x.mid() >= x.rad()
 }
 
-/// Returns the same edges between as many nodes as occur, numbered anew.
+/// The edges with their nodes numbered anew without gaps, and the number of nodes.
 fn dense(edges: &[Edge]) -> (Vec<Edge>, usize) {
     let mut numbers = BTreeMap::new();
     let mut number = |node: usize| {

@@ -28,7 +28,7 @@ impl Sides {
         [self.first, self.second()]
     }
 
-    /// Returns a bound of a coordinate of all sums of parts of both, from -1 to 1.
+    /// Upper bound of the modulus of a coordinate over all sums of parts of both sides, from -1 to 1.
     pub fn reach(&self, axis: usize) -> f64 {
         up(self.first[axis].mag() + self.second()[axis].mag())
     }
@@ -39,8 +39,8 @@ impl Sides {
         [0, 1].map(|i| self.first[i] * along + self.rest[i] * second)
     }
 
-    /// Returns the sides of the images of states, given the coefficient of restitution and the speeds before the flight, and of the
-    /// middle's image after it.
+    /// Sides of the images of states. Given: the coefficient of restitution, the speeds before the flight, and the speeds of the middle's
+    /// image\nafter it.
     pub fn landed(&self, landing: &Landing<2>, [restitution, before, after]: [Ball; 3]) -> Self {
         let [first, rest] = [self.first, self.rest].map(|side| landing.derivative(side));
         let moved = Self { first, rest, area: cross(first, rest), ..*self };

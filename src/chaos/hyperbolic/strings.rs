@@ -86,7 +86,7 @@ fn expansion(image: &Image, slopes: [f64; 2], rises: bool) -> Option<[f64; 2]> {
 }
 
 impl Proved {
-    /// Returns cones of the expanding directions at the images of its cells, given bounds of the slopes of those at the cells.
+    /// Cones of the expanding directions at the images of the cells, given bounds of the slopes of those at the cells.
     pub fn cones(&self, given: [f64; 2]) -> impl Iterator<Item = Cone> {
         let of = move |image: &Image| {
             let slopes = image_slopes(&[*image], given, self.branch.rises)?;
@@ -105,7 +105,7 @@ pub(crate) struct Strings<'s> {
 }
 
 impl Strings<'_> {
-    /// Returns a part of a cell that holds all states mapped to the points of a strip with `a` between bounds; `None` if there are none.
+    /// Part of a cell that holds all states mapped to the points of a strip with `a` between bounds; `None` if there are none.
     fn narrowed(&self, image: &Image, strip: &Strip, breadth: [f64; 2]) -> Option<Cell> {
         let Image { cell, middle, sides, .. } = image;
         // About the line in the middle between both bounds.
@@ -149,8 +149,8 @@ impl Strings<'_> {
         images.iter().try_fold(EMPTY_BOUNDS, |all, image| Some(hull(all, expansion(image, slopes, rises)?)))
     }
 
-    /// Returns the graph of strings: an edge for each word alone, or with a word before it and some after it, weighing the logarithm of what
-    /// it expands by, its length being its impacts; with the word of each edge. And the slopes of the expanding directions where each word leads to.
+    /// Graph of strings: an edge for each word alone, or with a word before it and some after it. An edge weighs the logarithm of its
+    /// word's\nexpansion; its length is the word's impacts. Also the slopes of the expanding directions where each word leads to.
     pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
         let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Cylinder::of(inside(proved))));
@@ -168,7 +168,7 @@ impl Strings<'_> {
         Some((graph, slopes))
     }
 
-    /// Returns whether strings with another word before them are few enough; any answer is sound.
+    /// Whether strings with another word before them are few enough; any answer is sound.
     fn is_worth_it(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, cylinder) in level {
@@ -290,7 +290,7 @@ impl Cell {
         within.map_or(Some(self), |within| self.part(1, within))
     }
 
-    /// Its states that are N radii from its middle along an axis; `None` if there are none. Lemma D28
+    /// States at a given range of radii from the middle along an axis; `None` if there are none. Lemma D28
     fn part(mut self, axis: usize, within: Ball) -> Option<Self> {
         let [low, high] = ends(within);
         let (low, high) = (low.max(-1.0), high.min(1.0)); // D28: what is in both

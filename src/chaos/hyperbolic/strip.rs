@@ -54,13 +54,13 @@ pub(crate) struct Lost {
 }
 
 impl Strip {
-    /// Returns whether it lies in its h-set, and has some breadth everywhere. Lemma D25
+    /// Whether the strip lies in its h-set, and has some breadth everywhere. Lemma D25
     pub fn is_inside(&self) -> bool {
         let Self { middle, slope, half, taper } = *self;
         up(middle.abs() + slope.abs() + half.abs() + taper.abs()) < 1.0 && half > taper.abs()
     }
 
-    /// Returns whether it has no state in common with another one of the same h-set: it is on one side at both ends. Lemma D25
+    /// Whether the strip has no state in common with another strip of the h-set: it is on one side at both ends. Lemma D25
     pub fn is_apart(&self, other: &Self) -> bool {
         let is_right = |one: &Self, two: &Self| {
             [-1.0, 1.0].iter().all(|&eta| {
@@ -72,7 +72,7 @@ impl Strip {
         is_right(self, other) || is_right(other, self)
     }
 
-    /// Returns where its left and its right side are, about, at the bottom and at the top.
+    /// Approximate places of the left and the right side, at the bottom and at the top.
     pub fn sides(&self) -> [[f64; 2]; 2] {
         [-1.0, 1.0].map(|a| {
             let [place, slope] = self.line(a).map(Ball::mid);
@@ -100,7 +100,7 @@ pub(crate) fn beside([xi, eta]: [Ball; 2], slope: Ball) -> Ball {
 impl Cell {
     pub const WHOLE: Self = Self { at: [0.0; 2], radii: [1.0; 2] };
 
-    /// Holds what `xi` changes by with `a`, and with `eta`, at each of its states.
+    /// Holds the derivatives of `xi` by `a` and by `eta`, at each state of the cell.
     fn slopes(&self, strip: &Strip) -> [Ball; 2] {
         let [a, eta] = [0, 1].map(|i| Ball::new(self.at[i], self.radii[i]));
         [strip.breadth(eta), Ball::exact(strip.slope) + Ball::exact(strip.taper) * a]
@@ -113,7 +113,7 @@ impl Cell {
         Some([sides.combined(a, Ball::exact(0.0)), sides.combined(-(slope * a), height)])
     }
 
-    /// Returns both halves, along the strip's breadth or its height: dyadic.
+    /// Halves of the cell, along the strip's breadth or its height: dyadic.
     pub fn halves(&self, axis: usize) -> [Self; 2] {
         [-0.5, 0.5].map(|half| {
             let mut part = *self;
@@ -125,7 +125,7 @@ impl Cell {
 }
 
 impl Lost {
-    /// Returns along which axis a cell is better halved: the height where its image is not known well beside the breadth.
+    /// Axis along which a cell is better halved: the height where its image is not known well beside the breadth.
     pub fn axis(&self) -> usize {
         let size = |[u, w]: [Ball; 2], of: fn(Ball) -> f64| (6.0 * of(u)).hypot(of(w));
         let [breadth, height] = self.sides.both();
@@ -133,7 +133,7 @@ impl Lost {
     }
 }
 
-/// A condition on the states after N impacts, given their middle and half sides.
+/// A condition on the states after a given number of impacts, by their middle and half sides.
 pub(crate) type Passed<'p> = &'p dyn Fn(usize, [Ball; 2], &Sides) -> bool;
 
 /// The reduced map that the flights of a cell follow, and the parallelograms of the h-sets.
@@ -144,8 +144,8 @@ pub(crate) struct Map<'m> {
 }
 
 impl Map<'_> {
-    /// Returns the image of a cell of a word's strip, where each flight is proved to land as the word says. `passed` receives the states
-    /// after each impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
+    /// Encloses the image of a cell of a word's strip, where each flight is proved to land as the word says. `passed` receives the states
+    /// after\neach impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
     pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Image, Lost> {
         let (frame, strip) = (&self.frames[branch.from], &branch.strip);
         let [place, slope] = strip.line(cell.at[0]);
@@ -192,7 +192,7 @@ impl Image {
         self.middle[axis].widened(self.sides.reach(axis))
     }
 
-    /// Returns whether no image is in the h-set.
+    /// Whether no image is in the h-set.
     pub fn is_outside(&self) -> bool {
         is_positive(Ball::exact(least(self.spread(0))) - Ball::exact(1.0))
     }
@@ -205,7 +205,7 @@ impl Image {
 }
 
 impl Image {
-    /// Returns along which axis its cell is better halved.
+    /// Axis along which the cell is better halved.
     pub fn axis(&self) -> usize {
         let size = |side: [Ball; 2], of: fn(Ball) -> f64| of(side[0]).hypot(of(side[1]));
         usize::from(4.0 * size(self.sides.second(), Ball::rad) > size(self.sides.first, Ball::mag)) // proposes: any part will do

@@ -149,7 +149,7 @@ fn least(loop_: Vec<usize>) -> Vec<usize> {
     (0..loop_.len()).map(turned).min().expect("a word")
 }
 
-/// All closed sequences of words of N impacts at most, none of them a shorter one several times.
+/// All closed sequences of words of at most `most` impacts, none of them a shorter one several times.
 fn loops(words: &[(usize, &Branch)], most: usize) -> BTreeSet<Vec<usize>> {
     let (mut found, mut open) = (BTreeSet::new(), vec![(Vec::<&(usize, &Branch)>::new(), 0)]);
     while let Some((path, impacts)) = open.pop() {

@@ -12,7 +12,7 @@ const COUNT_BITS: u64 = 52;
 const POWER_ITERATIONS: usize = 20_000;
 const STALLED_ITERATIONS: usize = 200;
 
-/// Returns an upper bound of the logarithm of a count over the length of the words. Lemma D30
+/// Upper bound of the logarithm of a count over the length of the words. Lemma D30
 pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
     if count.is_one() {
         return 0.0; // exact: its logarithm
@@ -25,7 +25,7 @@ pub(super) fn rate(count: &BigUint, letters: u32) -> f64 {
     rate.map_or(f64::INFINITY, above)
 }
 
-/// Returns an upper bound of the growth rate of the number of paths. Lemma D31
+/// Upper bound of the growth rate of the number of paths. Lemma D31
 pub(super) fn limit(steps: &[[Option<u32>; 2]]) -> f64 {
     let radius = parts(&successors(steps)).iter().map(|part| radius(steps, part)).fold(1.0, f64::max); // D31: at least one path goes on
     if radius == 1.0 { 0.0 } else { logarithm(Ball::exact(radius)).map_or(f64::INFINITY, above) } // exact: the logarithm of 1
@@ -35,7 +35,7 @@ fn above(x: Ball) -> f64 {
     (x.mid() + x.rad()).next_up().max(0.0) // D30: a count is at least 1
 }
 
-/// Returns an upper bound of the spectral radius of a strongly connected part: `M v <= r v` for a positive vector `v`. Lemma D31
+/// Upper bound of the spectral radius of a strongly connected part: `M v <= r v` for a positive vector `v`. Lemma D31
 fn radius(steps: &[[Option<u32>; 2]], part: &[usize]) -> f64 {
     let place = |node: u32| part.binary_search(&(node as usize)).ok(); // exact: an index
     let inside: Vec<Vec<usize>> =

@@ -34,7 +34,7 @@ pub struct BoxGraph {
 }
 
 impl BoxGraph {
-    /// Returns the graph of a region of a pair.
+    /// Graph of a region of a pair.
     ///
     /// # Errors
     /// As [`Trap::of`].
@@ -46,17 +46,17 @@ impl BoxGraph {
         Ok(Self { cells, edges })
     }
 
-    /// Returns its nodes: columns and rows of the boxes.
+    /// Nodes: columns and rows of the boxes.
     pub fn boxes(&self) -> &[(i32, i32)] {
         &self.cells
     }
 
-    /// Returns its edges: from which box, `F` to the far wall or `N` back to the near one, to which box, by their positions among the boxes.
+    /// Edges: from which box, `F` to the far wall or `N` back to the near one, to which box, by their positions among the boxes.
     pub fn edges(&self) -> impl Iterator<Item = (usize, char, usize)> {
         self.edges.iter().map(|edge| (edge.from as usize, letter(edge.side), edge.to as usize)) // exact: indices
     }
 
-    /// Returns for each letter the boxes that it leads to from each box.
+    /// For each letter, the boxes that it leads to from each box.
     fn links(&self) -> [Links; 2] {
         LETTERS.map(|(side, _)| {
             let own = self.edges.iter().filter(|edge| edge.side == side);
@@ -73,7 +73,7 @@ fn letter(side: Side) -> char {
 /// The words of walls that the graph of a region's boxes allows, counted.
 ///
 /// **Enclosure**: motions with an impact in the region make, from there on and mirrored to one wall, at most [`count`](Self::count)
-/// different words of n flights, `F` to the far wall and `N` back to the near one; so their growth rate, the topological entropy of
+/// different words of `impacts` flights, `F` to the far wall and `N` back to the near one; so their growth rate, the topological entropy of
 /// the words per impact, is at most [`entropy`](Self::entropy). Of P1-P4 there are at most twice as many words, as each begins on either
 /// wall. Lemmas D30, D31
 ///
@@ -100,7 +100,7 @@ pub struct WallWords {
 }
 
 impl WallWords {
-    /// Returns the words of `impacts` flights, at most [`MOST_COUNTED`], that a graph allows.
+    /// Counts the words of `impacts` flights, at most [`MOST_COUNTED`], that a graph allows.
     ///
     /// `watch` receives the number of sets of boxes.
     ///
@@ -115,32 +115,32 @@ impl WallWords {
         Ok(Self { impacts, counts, subsets, entropy })
     }
 
-    /// Returns the number of impacts of the words that were requested.
+    /// Number of impacts of the counted words.
     pub fn impacts(&self) -> u32 {
         self.impacts
     }
 
-    /// Returns how many words of n impacts the graph allows.
+    /// Number of words of `impacts` impacts that the graph allows.
     pub fn count(&self) -> &BigUint {
         self.counts.last().expect("words have an impact at least")
     }
 
-    /// Returns an upper bound of the growth rate of the number of words, in nats per impact.
+    /// Upper bound of the growth rate of the number of words, in nats per impact.
     pub fn entropy(&self) -> f64 {
         self.entropy
     }
 
-    /// Returns whether all sets of boxes are found, so that the bound is that of all lengths.
+    /// Whether all sets of boxes are found: then the graph of words holds words of all lengths.
     pub fn is_closed(&self) -> bool {
         self.subsets.is_closed()
     }
 
-    /// Returns how many sets of boxes there are: the nodes of the graph of words.
+    /// Number of sets of boxes: the nodes of the graph of words.
     pub fn sets(&self) -> usize {
         self.subsets.len()
     }
 
-    /// Returns the edges of the graph of words, whose paths from node 0 on are the words: from which set, by which letter, to which set.
+    /// Edges of the graph of words, whose paths from node 0 on are the words: from which set, by which letter, to which set.
     pub fn edges(&self) -> impl Iterator<Item = (usize, char, usize)> {
         self.subsets.steps().iter().enumerate().flat_map(|(from, steps)| {
             let step = |((_, letter), to): ((Side, char), &Option<u32>)| Some((from, letter, (*to)? as usize)); // exact: an index
@@ -148,7 +148,7 @@ impl WallWords {
         })
     }
 
-    /// Returns whether a word of `F` and `N` is allowed, as far as the sets of boxes are known.
+    /// Whether a word of `F` and `N` is allowed, as far as the sets of boxes are known.
     pub fn allows(&self, word: &str) -> bool {
         let step = |at: usize, found: char| {
             let letter = LETTERS.iter().position(|(_, letter)| *letter == found)?;

@@ -19,12 +19,12 @@ const MAX_BOX_VISITS: usize = 1 << 34;
 pub enum Unclosed {
     /// There are too many sets of boxes before the words are that long.
     Sets,
-    /// It was stopped.
+    /// The construction was stopped.
     Interrupted,
 }
 
 impl Unclosed {
-    /// Returns the reason in words.
+    /// The reason in words, for messages.
     pub fn words(self) -> &'static str {
         match self {
             Self::Sets => "there are too many sets of boxes before the words are that long",
@@ -36,7 +36,7 @@ impl Unclosed {
 /// A set of boxes, a bit for each.
 type Set = Rc<[u64]>;
 
-/// The sets of boxes that words lead to, each once, from that of all boxes on, and by each letter on to which; `None` to none.
+/// Sets of boxes that words lead to, each once, the set of all boxes first; for each letter the next set, `None` where the letter leads to none.
 #[derive(Debug)]
 pub(super) struct Subsets {
     steps: Vec<[Option<u32>; 2]>,
@@ -44,7 +44,7 @@ pub(super) struct Subsets {
 }
 
 impl Subsets {
-    /// Returns all of them, or if they are too many those of words of n letters at least.
+    /// Builds all sets, or, if they are too many, those of words of at least `letters` letters.
     pub fn of(links: &[Links; 2], boxes: usize, letters: usize, watch: &dyn Watch) -> Result<Self, Unclosed> {
         let size = boxes.div_ceil(64);
         let all = set(size, 0..boxes as u32); // exact: fewer than 2^32
@@ -78,23 +78,23 @@ impl Subsets {
         Ok(Self { steps, is_closed: true })
     }
 
-    /// Returns by each letter on to which set, for those sets where that is known.
+    /// The next set by each letter, for those sets where it is known.
     pub fn steps(&self) -> &[[Option<u32>; 2]] {
         &self.steps
     }
 
-    /// Returns whether no word leads to any other set.
+    /// Whether no word leads to any other set.
     pub fn is_closed(&self) -> bool {
         self.is_closed
     }
 
-    /// Returns how many sets there are.
+    /// Number of sets.
     pub fn len(&self) -> usize {
         let last = self.steps.iter().flatten().flatten().max();
         last.map_or(1, |last| *last as usize + 1) // exact: an index; the set of all boxes
     }
 
-    /// Returns the number of words of 1, 2, ... letters, exactly. Lemma D30
+    /// Numbers of words of 1, 2, ... letters, exactly. Lemma D30
     pub fn counts(&self, letters: usize) -> Vec<BigUint> {
         let mut words = vec![BigUint::zero(); self.len()];
         words[0] = BigUint::one();

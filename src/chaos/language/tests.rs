@@ -38,7 +38,7 @@ fn words(graph: &BoxGraph, impacts: u32) -> WallWords {
 /// Edges of a graph.
 type Edges<'e> = &'e [(u32, char, u32)];
 
-/// A graph by its edges, of N boxes.
+/// Graph of `boxes` boxes with these edges.
 fn small(boxes: i32, edges: Edges<'_>) -> BoxGraph {
     let side = |letter| if letter == 'F' { Side::Far } else { Side::Near };
     let edges = edges.iter().map(|&(from, letter, to)| Edge { from, side: side(letter), to }).collect();

@@ -28,7 +28,7 @@ use search::{Family, Superstable, VariedParameter};
 /// The keys over which windows are searched, in words.
 pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
-/// Returns whether windows are searched over such a range.
+/// Whether windows are searched over such a range.
 pub fn is_window_range(range: &Range) -> bool {
     matches!(range.key(), Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count().is_none()
 }
@@ -60,7 +60,7 @@ pub struct FoundWindow {
 }
 
 impl FoundWindow {
-    /// Returns whether another one is the same: at one value, with the same flights from another impact on.
+    /// Whether another window is the same: at one value, with the same flights from another impact on.
     fn is_one(&self, flights: &str, window: &Window) -> bool {
         self.window.at.text() == window.at.text()
             && self.flights.len() == flights.len()
@@ -68,7 +68,7 @@ impl FoundWindow {
     }
 }
 
-/// An orbit of floating point that is not proved to be a stable one.
+/// Orbit of floating point that is not proved to be stable and periodic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnprovedWindow {
     /// See [`FoundWindow::impacts`].
@@ -153,8 +153,8 @@ impl Windows {
         Ok(all)
     }
 
-    /// Returns whether there are windows and all is proved of each: the orbit, its stability, both ends, and the orbits between. Of
-    /// what is unproved no window is claimed, as of what is not found.
+    /// Whether there are windows and all is proved of each: the orbit, its stability, both ends, and the orbits between. Unproved\norbits claim
+    /// no window.
     pub fn is_certified(&self) -> bool {
         !self.interrupted && !self.windows.is_empty() && self.windows.iter().all(|found| found.window.is_certified())
     }
@@ -165,7 +165,7 @@ fn word(flights: &[Side]) -> String {
     flights.iter().map(|side| if *side == Side::Far { 'F' } else { 'N' }).collect()
 }
 
-/// The place of a cycle, and what is proved of it.
+/// Index of a cycle, and its proved window.
 type Tried = (usize, Result<Window, NoWindow>);
 
 /// A search over a parameter of a pair. It proposes
@@ -221,7 +221,7 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// Returns whether the value at which a window is proved is in the range.
+    /// Whether the value at which a window is proved is in the range.
     fn holds(&self, window: &Window) -> bool {
         const BITS: u32 = 256;
         let [low, high] = self.ends.map(|end| end.enclose(BITS));
@@ -281,7 +281,7 @@ impl<'p> Search<'p> {
         found.into_iter().map(|(i, window)| Ok((i, window?))).collect()
     }
 
-    /// Returns the stable cycles that orbit `k` comes near to: every second orbit is at the scene's own value.
+    /// Stable cycles that orbit `k` comes near to: every second orbit is at the scene's own value.
     fn orbit(&self, k: usize, watch: &dyn Watch) -> Vec<Superstable> {
         let part = |n: usize| (n as f64 * GOLDEN_FRACTION).fract(); // proposes
         let [low, high] = self.family.range;
@@ -291,7 +291,7 @@ impl<'p> Search<'p> {
         self.family.search((value, start), impacts, watch)
     }
 
-    /// Returns the seed of a cycle's window; `None` where the forcing periods do not fit.
+    /// Seed of a cycle's window; `None` where the number of forcing periods is out of range.
     fn seed(&self, cycle: &Superstable) -> Option<WindowSeed> {
         let (phases, lasting) = self.family.phases(cycle)?;
         let crossings = cycle.flights.iter().filter(|side| **side == Side::Far).count();

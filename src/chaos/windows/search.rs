@@ -86,7 +86,7 @@ impl Family {
         Guess::new(&Law { gap: Ball::exact(gap), restitution: Ball::exact(restitution) })
     }
 
-    /// Follows an orbit for N impacts and returns the stable cycles it comes near to, each of them perhaps several times.
+    /// Follows an orbit for `impacts` impacts and returns the stable cycles it comes near to, each of them perhaps several times.
     pub fn search(&self, (parameter, start): (f64, State), impacts: usize, watch: &dyn Watch) -> Vec<Superstable> {
         let map = self.map(parameter);
         let mut found: Vec<Superstable> = Vec::new();
@@ -111,7 +111,7 @@ impl Family {
         found
     }
 
-    /// Tries the cycles that the last impacts nearly close, each word a few times.
+    /// Tries the cycles that the last impacts nearly close, each word at most `MAX_TRIES` times.
     fn close(
         &self,
         past: &[Step],
@@ -217,7 +217,7 @@ impl Family {
         Some(all)
     }
 
-    /// Returns the state that flights lead to, the trace of the product of their Jacobians, and their phases; `None` where they end on other walls.
+    /// State that flights lead to, trace of the product of their Jacobians, and their phases; `None` where they end on other walls.
     fn fly(&self, parameter: f64, start: State, flights: &[Side]) -> Option<(State, f64, Vec<f64>)> {
         let map = self.map(parameter);
         let (mut state, mut product, mut phases) = (start, [[1.0, 0.0], [0.0, 1.0]], Vec::new());
@@ -246,7 +246,7 @@ impl Family {
 }
 
 impl Superstable {
-    /// Returns whether both may be one cycle, from whichever impact on.
+    /// Whether both may be one cycle, from whichever impact on.
     pub fn is_near(&self, other: &Self) -> bool {
         let count = self.flights.len();
         count == other.flights.len()
