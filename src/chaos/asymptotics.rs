@@ -10,8 +10,10 @@ use crate::pair::ImpactPair;
 use crate::periodic::Attractor;
 use crate::watch::Watch;
 
-/// Proved limit of the orbit from the scene's start; fields are `None` where nothing is proved.\n\n**Enclosure**: for every
-/// parameter of the pair the orbit converges to `attractor`, or stays in `region` from its `at_impact` on.\nLemmas Q3, D5, D13
+/// Proved limit of the orbit from the scene's start; fields are `None` where nothing is proved.
+///
+/// **Enclosure**: for every parameter of the pair the orbit converges to `attractor`, or stays in `region` from its
+/// `at_impact` on. Lemmas Q3, D5, D13
 #[derive(Debug, Default)]
 pub struct Asymptotics {
     /// Stable periodic orbit that the scene's orbit converges to.

@@ -1,8 +1,8 @@
 //! Orbits that converge for all values of a parameter: sets of states that move with it. Lemma D15 of `docs/proofs/chaos.md#D15`
 //!
 //! A set is followed from impact to impact as a parallelogram about a middle that is a function of the parameters. So a change
-//! of the\nparameters widens no set. Where the motion contracts, the parallelograms become small. A parallelogram that lies in
-//! an earlier one\nis proved to contract to a periodic orbit.
+//! of the parameters widens no set. Where the motion contracts, the parallelograms become small. A parallelogram that lies in
+//! an earlier one is proved to contract to a periodic orbit.
 
 use std::f64::consts::TAU;
 
@@ -131,7 +131,7 @@ impl Set {
     }
 
     /// Whole forcing periods by which the set `other` is shifted to lie in this set, for each value of the parameters, with a
-    /// margin.\n`None` where no shift is proved. Lemma D15
+    /// margin. `None` where no shift is proved. Lemma D15
     fn holds(&self, other: &Self) -> Option<f64> {
         let (shift, beside) = self.beside(other)?;
         let is_within = |[away, reach]: [Ball; 2]| up(away.mag() + reach.mag()) < 1.0; // D15: strictly inside
@@ -148,7 +148,7 @@ impl Set {
     }
 
     /// Whole forcing periods that shift `other`'s middle nearest to this set's. For each coordinate along this set's sides: the
-    /// shifted\nmiddle, and the reach of `other`'s states from the shifted middle, for all parameters.
+    /// shifted middle, and the reach of `other`'s states from the shifted middle, for all parameters.
     fn beside(&self, other: &Self) -> Option<(f64, [[Ball; 2]; 2])> {
         let shift = (other.middle[0] - self.middle[0]).round(); // exact: any whole number will do
         let away = [
@@ -233,7 +233,7 @@ pub(super) struct StablePeriod {
 }
 
 /// Proves that the orbit from a state converges, for all `D` and `e` of the law, to a periodic orbit, and encloses its
-/// period.\n`None` where convergence is not proved. Lemma D15
+/// period. `None` where convergence is not proved. Lemma D15
 pub(super) fn attracted(law: &Law, first: &Visited, watch: &dyn Watch) -> Option<StablePeriod> {
     let mut found = ENLARGING_FACTORS.into_iter().find_map(|room| converges(law, first, Enlarged::By(room), watch))?;
     // D15: one pair, which repeats after as many impacts as all others; its sets are small, so that fewer impacts are enough

@@ -188,7 +188,7 @@ impl HSet {
     }
 
     /// Whether the h-set is disjoint from its translates by whole forcing periods. An edge separates it from its translate by
-    /// one\nforcing period, and so from all, as the h-set is convex. Lemma D9
+    /// one forcing period, and so from all, as the h-set is convex. Lemma D9
     pub fn is_apart_from_its_translates(&self) -> bool {
         self.is_parted(self, 1.0) || self.is_parted(self, -1.0)
     }

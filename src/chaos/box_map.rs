@@ -92,7 +92,7 @@ impl BoxMap {
     }
 
     /// Encloses the landings of the flights from a rectangle, or gives the reason why they are not bounded. `None` for a
-    /// rectangle whose\nends are not in order, below 0 in speed, or beyond 1024.
+    /// rectangle whose ends are not in order, below 0 in speed, or beyond 1024.
     pub fn image(&self, states: &Rectangle) -> Option<Result<BoxImage, Unmapped>> {
         let Rectangle { phase, speed } = states;
         let in_order =

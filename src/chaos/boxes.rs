@@ -57,7 +57,7 @@ pub(super) fn edges(law: &Law, grid: Grid, cells: &[Cell], in_quarters: bool) ->
 }
 
 /// Walls and numbers of the region's boxes that meet the images of `parts`. `None` where an image lies outside the region, or
-/// a\nflight is not followed.
+/// a flight is not followed.
 fn images(law: &Law, grid: Grid, parts: &[Quad], cells: &[Cell]) -> Option<HashSet<(Side, u32)>> {
     let mut noted = HashSet::new();
     for part in parts {

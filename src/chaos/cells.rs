@@ -103,7 +103,7 @@ impl Verdict {
     }
 
     /// Whether this verdict's word and cycles are those of `other`, several times over. Lemma D15: at a common value the two
-    /// verdicts are\nabout one orbit
+    /// verdicts are about one orbit
     fn is_round_of(&self, other: &Self) -> bool {
         let (Self::Attracted { word: round, cycles: all, beside }, Self::Attracted { word, cycles, beside: own }) =
             (self, other)
@@ -273,7 +273,7 @@ impl Work<'_> {
     }
 
     /// Verdict on a stable periodic orbit that the scene's own orbit converges to. For cells that are not halved any more, also
-    /// on one\nwhere only the floating-point orbit settles.
+    /// on one where only the floating-point orbit settles.
     fn periodic(&self, pair: &ImpactPair, is_last: bool) -> Result<Verdict, Error> {
         let Some(first) = visited(pair, self.start, 1)?.into_iter().find(|state| state.index > 0) else {
             return Ok(Verdict::Undecided);

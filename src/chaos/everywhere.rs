@@ -1,4 +1,4 @@
-//! H-sets from everywhere on a floating-point orbit, selected by the orbit's returns across them. For slow expansion: horseshoes have long\nwords
+//! H-sets from everywhere on a floating-point orbit, selected by the orbit's returns across them. For slow expansion: horseshoes have long words
 //! there, and saddles are not in the middle of their h-sets. Covering relations are proved later.
 //!
 //! Labels: proposes throughout.

@@ -174,8 +174,9 @@ impl<const M: usize> Flights<M> {
         view
     }
 
-    /// Phase up to which all flights are proved to be between the walls, and away from the start. Lemma D2\n\nThe phase is later than all starts;
-    /// `None` where no such phase is proved.
+    /// Phase up to which all flights are proved to be between the walls, and away from the start. Lemma D2
+    ///
+    /// The phase is later than all starts; `None` where no such phase is proved.
     pub fn depart(&self) -> Option<f64> {
         let (least, most) = (self.least, self.after.mag());
         let [down, below] = [self.sin, self.cos].map(|x| (x.rad() - x.mid()).max(0.0)); // D2: how far below 0

@@ -27,8 +27,8 @@ pub struct HorseshoeSettings {
 
 /// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is the itinerary of a motion.
 ///
-/// **Enclosure**: take any parameter of the pair, and any sequence of words of which each starts in the h-set that the word before covers.\nThen
-/// there is a motion with exactly these impacts; a periodic sequence has a periodic\nmotion. Motions of different sequences are different. The
+/// **Enclosure**: take any parameter of the pair, and any sequence of words of which each starts in the h-set that the word before covers. Then
+/// there is a motion with exactly these impacts; a periodic sequence has a periodic motion. Motions of different sequences are different. The
 /// topological entropy of the impact map on a compact invariant set
 /// without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
 /// **Cost**: about 10 microseconds per box; if no h-sets are given, some hundred thousand boxes to find them.
@@ -173,7 +173,7 @@ impl Chaos {
         &self.tubes
     }
 
-    /// The two blocks with the fewest impacts that can follow one another in any order in the reduced map. A block is a sequence of walls and\na
+    /// The two blocks with the fewest impacts that can follow one another in any order in the reduced map. A block is a sequence of walls and a
     /// number of half forcing periods. Each block is written as starting on the left wall; where it starts on the right wall, it is mirrored.
     pub fn horseshoe(&self) -> Option<[&Word; 2]> {
         horseshoe(&self.words, self.bases.len())

@@ -1,5 +1,5 @@
 //! H-sets about clusters of leaves, measured from a floating-point orbit. Where an attractor consists of bundles of leaves with gaps
-//! between,\neach bundle has one h-set.
+//! between, each bundle has one h-set.
 //!
 //! Labels: proposes throughout.
 

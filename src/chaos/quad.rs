@@ -14,7 +14,7 @@ pub struct Chord {
     pub top: State,
 }
 
-/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and all states within `slack` of one of them, unless slower\nthan
+/// States `centre + a sides[0] + b sides[1] + c twist`, `|a|, |b|, |c| <= 1`, and all states within `slack` of one of them, unless slower than
 /// `floor`. A quadrilateral has `c = ab`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quad {

@@ -20,8 +20,8 @@ use crate::watch::Watch;
 
 /// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
 ///
-/// **Enclosure**: a motion with one impact in the region has all its later impacts there, without end. None comes to rest, none\nhas infinitely
-/// many impacts in a finite time. [`Trap::flight`] bounds all times of flight, in forcing periods, and\n[`Trap::speed`] all speeds before
+/// **Enclosure**: a motion with one impact in the region has all its later impacts there, without end. None comes to rest, none has infinitely
+/// many impacts in a finite time. [`Trap::flight`] bounds all times of flight, in forcing periods, and [`Trap::speed`] all speeds before
 /// impacts, over `A W`. At a graze both continuations are in the region. Lemmas D4, D5
 /// **Cost**: about 2 microseconds a box.
 ///
@@ -153,7 +153,7 @@ impl Trap {
         [low / self.region.grid.rows, high / self.region.grid.rows] // exact: a power of two
     }
 
-    /// Impact of the scene's own orbit from which on all impacts are in the region, 0 for the start; `None` if none of the first\nhundred impacts
+    /// Impact of the scene's own orbit from which on all impacts are in the region, 0 for the start; `None` if none of the first hundred impacts
     /// is proved to be.
     pub fn entered(&self) -> Option<u64> {
         self.entered

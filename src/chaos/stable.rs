@@ -24,7 +24,7 @@ const SAME_ORBIT_DISTANCE: f64 = 1e-4;
 /// Numbers of phases and of speeds, up to half of the greatest one that motions have in the end, at which orbits of a pair begin.
 const START_GRID: [usize; 2] = [4, 3];
 
-/// Proves the period of a stable orbit of each pair of a law, near the orbit that `start` settles on in floating point. `None` where\nnone is
+/// Proves the period of a stable orbit of each pair of a law, near the orbit that `start` settles on in floating point. `None` where none is
 /// proved. Lemma D15
 pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<StablePeriod> {
     if law.restitution.mid() >= 1.0 {
@@ -33,8 +33,8 @@ pub(super) fn stable(law: &Law, start: State, watch: &dyn Watch) -> Option<Stabl
     around(law, settled(&Guess::new(law), start)?[0], watch)
 }
 
-/// Proves words and forcing periods of stable periodic orbits that a pair has for all its parameters, no two of one orbit. Candidates\nare the
-/// orbits that floating-point orbits from several states settle on. Of the words of an orbit and its mirror image, the first in the\nalphabet of
+/// Proves words and forcing periods of stable periodic orbits that a pair has for all its parameters, no two of one orbit. Candidates are the
+/// orbits that floating-point orbits from several states settle on. Of the words of an orbit and its mirror image, the first in the alphabet of
 /// L and R. Lemmas D15, A21
 ///
 /// # Errors

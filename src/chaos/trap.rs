@@ -190,7 +190,9 @@ pub(crate) struct Region {
 const MAX_BOXES: usize = 4_000_000;
 
 impl Region {
-    /// Grows a box to the least closed region of boxes of this grid.\n\n`Err` with the reason where it does not close.
+    /// Grows a box to the least closed region of boxes of this grid.
+    ///
+    /// `Err` with the reason where it does not close.
     pub fn grow(law: &Law, grid: Grid, seed: Cell, watch: &dyn Watch) -> Result<Self, NoTrap> {
         let mut cells: HashMap<Cell, Reach> = HashMap::new();
         let mut known: HashSet<Cell> = HashSet::from([seed]);

@@ -76,7 +76,7 @@ impl Trials<'_> {
         entropy(&search.words, bases.len(), |word| word.sides.len() as i64)
     }
 
-    /// H-sets with the most entropy among these bundles, and among bundles with other gaps as long as those are better;\n`None` if no bundle
+    /// H-sets with the most entropy among these bundles, and among bundles with other gaps as long as those are better; `None` if no bundle
     /// leads to any.
     pub fn best_bundle(&self, bundles: &[Bundle], parted: &dyn Fn(&Bundle) -> Vec<Bundle>) -> Option<Vec<HSet>> {
         let tried = |bundles: &[Bundle], boxes: u64| {

@@ -81,7 +81,7 @@ pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>,
     finest.unwrap_or(first) // exact: none was tried
 }
 
-/// Of the searches with the most entropy, the one with the shortest horseshoe. If the search is to go deeper: the first one, with the\nfinest
+/// Of the searches with the most entropy, the one with the shortest horseshoe. If the search is to go deeper: the first one, with the finest
 /// cells, that has nearly the most entropy.
 fn good(tried: Vec<Tried<'_>>, deeper: bool) -> Tried<'_> {
     let best = tried.iter().fold(0.0, |best: f64, one| best.max(one.entropy())); // proposes: each is a proof of its own

@@ -59,7 +59,7 @@ pub(crate) const NEIGHBOUR_CELLS: usize = 2;
 /// Number of times that a part is halved at most.
 const HALVINGS: u32 = 9;
 
-/// Stretches of consecutive proved parts, each behind the last part before it, which is `used`, and updated: no two taken parts have\ninner
+/// Stretches of consecutive proved parts, each behind the last part before it, which is `used`, and updated: no two taken parts have inner
 /// points in common, whatever is proposed. Lemmas D7, D9
 pub(crate) fn proved_stretches(parts: &[Part], proved: &[bool], used: &mut Option<Part>) -> Vec<RangeInclusive<usize>> {
     let mut stretches = Vec::new();

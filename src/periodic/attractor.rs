@@ -11,15 +11,15 @@ use crate::watch::Watch;
 /// A stable periodic orbit that a motion is proved to converge to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attractor {
-    /// The word of the period: of its impacts it begins with the one that makes it the first in the alphabet of L and R; of several such, with
-    /// the earliest in its forcing period. So all motions that converge to one orbit have one word.
+    /// Word of the period, from the impact on that makes it the first word in the alphabet of L and R. Of several such impacts it begins
+    /// with the earliest in its forcing period: all motions that converge to one orbit have one word.
     pub word: Word,
-    /// Number of forcing periods that it takes.
+    /// Number of forcing periods of the orbit's period.
     pub cycles: u32,
     /// The orbit.
     pub orbit: PeriodicOrbit,
-    /// The first impact examined, of those that the word begins with, from which on the motion is proved to lie in a neighbourhood that the map of
-    /// a period contracts.
+    /// Index of the first examined impact, of those that the word begins with, from which on the motion is proved to lie in a neighbourhood
+    /// that the map of a period contracts.
     pub from: u64,
     /// Upper bound of the contraction rate of a period in that neighbourhood, in its norm.
     pub factor: f64,
@@ -56,7 +56,7 @@ const PRECISE_FLIGHT_WORK: u64 = 256;
 struct Work(u64);
 
 impl Work {
-    /// Takes some of it, if there is as much.
+    /// Takes `work` off the budget, if there is as much.
     fn afford(&mut self, work: u64) -> bool {
         let left = self.0.checked_sub(work);
         self.0 = left.unwrap_or(self.0); // proposes: what is tried
@@ -64,8 +64,8 @@ impl Work {
     }
 }
 
-/// A guess of the period of a motion: the impacts that may make it, with all before them and the one after, and the cycles. The period begins with
-/// the impact that its word begins with.
+/// Guess of the period of a motion: the number of its impacts, with all impacts so far, and the cycles. The period begins with the impact that
+/// its word begins with.
 struct Guess<'s> {
     all: &'s [Impact],
     impacts: usize,
@@ -103,12 +103,12 @@ fn guesses(states: &[Impact]) -> impl Iterator<Item = Guess<'_>> {
 }
 
 impl Impact {
-    /// Forcing periods since another one.
+    /// Forcing periods since the impact `before`.
     fn since(&self, before: &Self) -> f64 {
         (self.turns - before.turns) as f64 + (self.phase.mid() - before.phase.mid()) // proposes
     }
 
-    /// Distance of two states on one wall: of the phases, in forcing periods less whole ones, plus that of the velocities relative to their sizes.
+    /// Distance of two states on one wall: difference of the phases, in forcing periods modulo 1, plus relative difference of the velocities.
     fn apart(&self, before: &Self) -> Option<f64> {
         let since = self.since(before);
         let (now, then) = (self.velocity.mid(), before.velocity.mid());
@@ -117,7 +117,7 @@ impl Impact {
     }
 }
 
-/// Returns the impact of a period that its word begins with.
+/// Index of the impact that the word of a period begins with.
 fn first_of_word(walls: &[Wall], phase: impl Fn(usize) -> f64) -> usize {
     let is_right = |shift: usize| walls.iter().cycle().skip(shift).take(walls.len()).map(|wall| *wall == Wall::Right);
     let earlier = |a: &usize, b: &usize| is_right(*a).cmp(is_right(*b)).then_with(|| phase(*a).total_cmp(&phase(*b)));
@@ -125,7 +125,7 @@ fn first_of_word(walls: &[Wall], phase: impl Fn(usize) -> f64) -> usize {
 }
 
 impl<'s> Guess<'s> {
-    /// The same, from earlier impacts of the period on as well.
+    /// The guess itself, and guesses with the same period that end with earlier impacts.
     fn windows(&self) -> impl Iterator<Item = Guess<'s>> {
         let Self { all, impacts, cycles } = *self;
         let earliest = impacts.min(all.len() - impacts); // proposes: a period before each
@@ -133,7 +133,7 @@ impl<'s> Guess<'s> {
         ends.map(move |earlier| Guess { all: &all[..all.len() - earlier], impacts, cycles })
     }
 
-    /// Returns whether the motion repeats as nearly as one that is settled.
+    /// Whether the motion repeats to within `REPEATING_DISTANCE`.
     fn is_settled(&self) -> bool {
         let last = self.all.len() - 1;
         self.all[last].apart(&self.all[last - self.impacts]).is_some_and(|apart| apart < REPEATING_DISTANCE)
@@ -161,7 +161,7 @@ impl<'s> Guess<'s> {
         Word::new(walls.iter().zip(next).map(|(from, to)| Mapping::between(*from, *to)).collect()).ok()
     }
 
-    /// Phases in forcing periods, from the forcing period on that began the common period of the first impact.
+    /// Phases in forcing periods, counted from the beginning of the common period that holds the first impact.
     fn phases(&self, period: i64) -> Vec<f64> {
         let first = self.all[self.first()].turns;
         let base = first - first.rem_euclid(period);
@@ -215,20 +215,20 @@ pub(crate) fn find(
 }
 
 impl Finding<Ball> {
-    /// Returns whether the orbit is unstable or virtual, or likely to be one of the many unstable ones that chaos comes near.
+    /// Whether the orbit is unstable or virtual, or likely to be one of the many unstable ones that chaos comes near.
     fn is_refused(&self) -> bool {
         // proposes: chaos near an orbit whose trace is beyond what a stable one has is not asked again
         let is_wild = self.stability == Stability::Undecided && self.trace.mid().abs() >= MOST_TRACE;
         matches!(self.stability, Stability::Unstable | Stability::Elliptic) || self.physical == Some(false) || is_wild
     }
 
-    /// Returns whether it is proved to be stable and admissible: then no more bits are needed.
+    /// Whether the orbit is proved to be stable and admissible: then no more bits are needed.
     fn is_stable(&self) -> bool {
         self.stability == Stability::Stable && self.physical == Some(true)
     }
 }
 
-/// Returns `Ok` if an orbit is proved to be stable, admissible, and run through once.
+/// `Ok` if an orbit is proved to be stable, admissible, and run through once.
 fn is_attracting(orbit: &PeriodicOrbit) -> Result<(), Open> {
     match (orbit.stability, orbit.physical, orbit.repeats) {
         (Stability::Stable, Some(true), Some(1)) => Ok(()),

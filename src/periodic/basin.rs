@@ -118,7 +118,7 @@ impl Problem {
         Some(if round.is_mirrored { [phases, velocities.map(|x| -x)] } else { [phases, velocities] })
     }
 
-    /// The same over the impacts of the round.
+    /// Encloses `DP T` over the impacts of the round, in one arithmetic's excitation.
     fn product_under<S: Chained>(
         &self,
         shaken: &S,
@@ -151,8 +151,9 @@ impl Problem {
         Some(product)
     }
 
-    /// The eigenvectors of the orbit's round, that of the larger eigenvalue first, or the two parts of a complex one; and the first
-    /// with what is perpendicular to it, where they are nearly parallel. In floating point: any invertible matrix will do.
+    /// Two bases of floating-point vectors, of which any invertible one is sound. First the eigenvectors of the orbit's round, larger
+    /// eigenvalue first, or the two parts of a complex one. Then the first eigenvector with its perpendicular, for eigenvectors that are nearly
+    /// parallel.
     fn bases(&self, orbit: &PeriodicOrbit, round: Round) -> Option<[Basis; 2]> {
         // proposes
         let speed = (0..self.chain().impacts()).map(|i| orbit.velocity(i).mag()).fold(0.0, f64::max);
@@ -197,23 +198,23 @@ impl Ellipse {
 }
 
 impl Basin {
-    /// Returns whether all these states, phases up to whole periods of the excitation, are proved to lie inside.
+    /// Whether all these states, phases up to whole periods of the excitation, are proved to lie inside the ellipse.
     pub fn holds(&self, states: (Wall, Ball, Ball)) -> bool {
         self.ellipse.holds(states)
     }
 
-    /// Returns what a period multiplies distances by at most, less than 1.
+    /// Factor, less than 1, that bounds what a period multiplies distances by.
     pub fn factor(&self) -> f64 {
         self.factor
     }
 
-    /// Returns the ellipse's radius in forcing periods, along the eigenvector of the larger eigenvalue, in units of its own.
+    /// Radius of the ellipse along the eigenvector of the larger eigenvalue: in forcing periods, in units of that eigenvector.
     pub fn radius(&self) -> f64 {
         self.ellipse.radius
     }
 }
 
-/// The whole forcing periods of a phase's middle, and the rest.
+/// Whole forcing periods of the middle of a phase, and the rest of the phase.
 fn in_turn(phase: Ball) -> (f64, Ball) {
     let turns = phase.mid().floor(); // exact: any whole number is taken off
     (turns, phase - Ball::exact(turns))

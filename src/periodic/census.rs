@@ -31,7 +31,7 @@ pub struct Census {
 }
 
 impl Census {
-    /// Returns whether everything requested is proved: existence or absence of orbits, and all properties of each.
+    /// Whether everything requested is proved: existence or absence of orbits, and all properties of each.
     pub fn is_certified(&self) -> bool {
         let answers = if self.is_search { self.exhaustive } else { !self.orbits.is_empty() };
         answers && !self.interrupted && self.orbits.iter().all(|orbit| orbit.is_decided() && orbit.is_narrow)

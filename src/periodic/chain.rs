@@ -19,7 +19,7 @@ pub struct Chain {
 pub const MOST_CYCLES: u32 = 1_000_000;
 
 impl Chain {
-    /// Returns the chain of a word that closes after `cycles` cycles of one harmonic.
+    /// Chain of a word that closes after `cycles` cycles of one harmonic.
     ///
     /// # Errors
     /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`].
@@ -27,7 +27,7 @@ impl Chain {
         Self::under(Repetition::ONE_PERIOD, word, cycles)
     }
 
-    /// Returns the chain of a word that closes after `cycles` periods of the fastest harmonic.
+    /// Chain of a word that closes after `cycles` periods of the fastest harmonic.
     ///
     /// # Errors
     /// If the word does not end on the wall it starts from, or `cycles` is not in 1 to [`MOST_CYCLES`] or no multiple of the common period.
@@ -47,7 +47,7 @@ impl Chain {
         Ok(Self { walls: word.mappings().iter().map(|mapping| mapping.walls().0).collect(), cycles, repetition })
     }
 
-    /// Another word under the same excitation.
+    /// Chain of another word under the same excitation.
     ///
     /// # Errors
     /// Those of [`under`](Self::under).
@@ -55,48 +55,48 @@ impl Chain {
         Self::under(self.repetition, word, cycles)
     }
 
-    /// Returns the wall of each impact, in time order.
+    /// Wall of each impact, in time order.
     pub fn walls(&self) -> &[Wall] {
         &self.walls
     }
 
-    /// Returns how many forcing periods the chain takes.
+    /// Forcing periods after which the chain closes.
     pub fn cycles(&self) -> u32 {
         self.cycles
     }
 
-    /// Returns the forcing periods after which the excitation repeats: 1 with one harmonic.
+    /// Forcing periods after which the excitation repeats: 1 with one harmonic.
     pub fn period(&self) -> u32 {
         self.repetition.turns
     }
 
-    /// Returns the forcing periods after which the mirrored motion is one as well: half a period, where the harmonics are odd. Lemma T6
+    /// Forcing periods after which the mirrored motion is also a motion: half a period, where the harmonics are odd. Lemma T6
     pub fn mirror(&self) -> Option<f64> {
         (self.repetition.is_odd == Some(true)).then(|| f64::from(self.repetition.turns) / 2.0)
     }
 
-    /// Returns whether it is decided for all parameters at once if there is such a mirror. Lemma T6
+    /// Whether it is decided for all parameters at once if such a mirror exists. Lemma T6
     pub fn is_mirror_decided(&self) -> bool {
         self.repetition.is_odd.is_some()
     }
 
-    /// Returns how many impacts it has.
+    /// Number of impacts.
     pub fn impacts(&self) -> usize {
         self.walls.len()
     }
 
-    /// Returns whether both walls are hit.
+    /// Whether both walls are hit.
     pub fn crosses(&self) -> bool {
         self.walls.iter().any(|&wall| wall != self.walls[0])
     }
 
-    /// Returns the impact after impact `i`.
+    /// Index of the impact after impact `i`.
     #[inline(always)]
     pub fn next(&self, i: usize) -> usize {
         if i + 1 == self.walls.len() { 0 } else { i + 1 }
     }
 
-    /// Returns the impact before impact `i`.
+    /// Index of the impact before impact `i`.
     #[inline(always)]
     pub fn previous(&self, i: usize) -> usize {
         if i == 0 { self.walls.len() - 1 } else { i - 1 }

@@ -13,33 +13,33 @@ pub struct Entries<N> {
 }
 
 impl<N> Entries<N> {
-    /// Returns the matrix with `size` rows and columns.
+    /// Matrix with `size` rows and columns.
     pub fn new(size: usize, entries: Vec<(usize, usize, N)>) -> Self {
         Self { size, entries }
     }
 
-    /// Returns how many rows it has, and columns.
+    /// Number of rows, and of columns.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Returns row, column and value of each entry.
+    /// Row, column and value of each entry.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &N)> {
         self.entries.iter().map(|(i, j, value)| (*i, *j, value))
     }
 
-    /// Returns the same matrix of other values.
+    /// Applies a function to each entry.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Entries<M> {
         Entries::new(self.size, self.iter().map(|(i, j, x)| (i, j, f(x))).collect())
     }
 
-    /// Returns the same with more entries in one row.
+    /// The matrix with more entries in one row.
     pub fn with_row(mut self, i: usize, row: impl IntoIterator<Item = (usize, N)>) -> Self {
         self.entries.extend(row.into_iter().map(|(j, value)| (i, j, value)));
         self
     }
 
-    /// Returns the same with one more column and one more row, which has the column's last entry only.
+    /// The matrix with one more column and one more row, whose only entry is the column's last one.
     pub fn bordered(mut self, column: Vec<N>) -> Self {
         let last = self.size;
         self.entries.extend(column.into_iter().enumerate().map(|(i, value)| (i, last, value)));
@@ -48,7 +48,7 @@ impl<N> Entries<N> {
 }
 
 impl<N: Clone> Entries<N> {
-    /// Returns the entries whose rows and columns have a place in another matrix.
+    /// Entries whose rows and columns have a place in another matrix, as that matrix.
     pub fn part(
         &self,
         size: usize,
@@ -61,7 +61,7 @@ impl<N: Clone> Entries<N> {
 }
 
 impl Entries<f64> {
-    /// Returns the matrix with all its entries.
+    /// The matrix with all its entries.
     pub fn dense(&self) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.size, self.size);
         self.iter().for_each(|(i, j, value)| matrix[(i, j)] += value);

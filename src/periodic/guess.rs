@@ -42,7 +42,7 @@ pub(super) fn guesses<S: Chained>(
         .map(|guess| into_first_period(chain, guess))
 }
 
-/// The floating-point motion of a start; nothing where that is beyond doubles.
+/// Floating-point motion from a start; empty where the start is beyond doubles.
 fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &Start) -> Vec<FloatImpact> {
     let first = || -> Option<FloatImpact> {
         let clock = Clock::new(pair, start.time(), f64::MANTISSA_DIGITS).ok()?;
@@ -55,7 +55,7 @@ fn motion_of<S: Chained>(chain: &Chain, shaken: &S, pair: &ImpactPair, start: &S
     first().map_or_else(Vec::new, |first| motion_from(shaken, first, OWN_IMPACTS))
 }
 
-/// The floating-point motion from a state on a wall.
+/// Floating-point motion from a state on a wall.
 fn motion_from<S: Chained>(shaken: &S, start: FloatImpact, impacts: usize) -> Vec<FloatImpact> {
     std::iter::successors(Some(start), |&impact| shaken.next(impact)).take(impacts).collect()
 }
@@ -92,7 +92,7 @@ fn even(n: usize, i: usize, count: usize) -> f64 {
     (0.5 + (n as f64 + 1.0) * root.powi(-(i as i32 + 1))).fract()
 }
 
-/// A state on the chain's first wall: any phase, speeds up to twice that of the box and of a crossing in a forcing period.
+/// State on the chain's first wall: any phase; speeds up to twice the sum of the box's greatest speed and of a gap per forcing period.
 fn spread_state<S: Chained>(chain: &Chain, shaken: &S, n: usize) -> FloatImpact {
     let wall = chain.walls()[0];
     let speed = 2.0 * (shaken.speed() + 1.0) * even(n, 1, 2);
@@ -108,7 +108,7 @@ fn spread_phases(chain: &Chain, n: usize) -> Vec<f64> {
     std::iter::once(first).chain(rest).collect()
 }
 
-/// The same phases with the first one in the first common period: in `[0, 1)` with one harmonic.
+/// The phases, shifted so that the first one lies in the first common period: in `[0, 1)` with one harmonic.
 fn into_first_period(chain: &Chain, mut phases: Vec<f64>) -> Vec<f64> {
     let period = f64::from(chain.period());
     let whole = (phases[0] / period).floor() * period;

@@ -7,7 +7,7 @@ use super::krawczyk::{Proved, is_inside};
 use crate::number::{Ball, Enclosing};
 use crate::pair::Wall;
 
-/// The same motion counted from another impact on, or of the mirrored ball.
+/// The motion counted from another impact on, or the mirrored motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct View {
     /// Impacts later.
@@ -16,7 +16,7 @@ pub(super) struct View {
 }
 
 impl View {
-    /// Returns all views of a chain that have its own word; mirrored ones only where the excitation has one.
+    /// All views of a chain that have the chain's word; mirrored ones only where the excitation has a mirror.
     pub fn of(chain: &Chain, mirrored: bool) -> impl Iterator<Item = Self> {
         let walls = chain.walls();
         let seen = move |wall: Wall| if mirrored { wall.other() } else { wall };
@@ -25,7 +25,7 @@ impl View {
         shifts.filter(fits).map(move |shift| Self { shift, mirrored })
     }
 
-    /// The phases that the motion has in this view, up to whole common periods nearest to those of `other`.
+    /// Phases of the motion in this view, shifted by the whole common periods that bring them nearest to `other`.
     fn phases<N: Enclosing>(self, chain: &Chain, phases: &[N], other: &[N]) -> Vec<N> {
         let count = phases.len();
         // T6: mirrored views are of chains that have a mirror
@@ -42,7 +42,7 @@ impl View {
         (0..count).map(|i| moved(i) - turns.clone()).collect()
     }
 
-    /// Returns whether `one`, seen so, is the orbit `other`. Lemma T6
+    /// Whether `one`, in this view, is the orbit `other`; `None` if undecided. Lemma T6
     pub fn is_same<N: Enclosing>(self, chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
         let seen = self.phases(chain, &one.at, &other.at);
         if is_inside(&seen, &other.domain) {
@@ -54,19 +54,19 @@ impl View {
     }
 }
 
-/// The verdict on whether an orbit is one of those known.
+/// Verdict on whether an orbit is one of the known orbits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identity {
-    /// It is proved to be none of them.
+    /// The orbit is proved to be none of them.
     New,
-    /// It is proved to be one of them.
+    /// The orbit is proved to be one of them.
     Known,
     /// Neither is proved.
     Open,
 }
 
 impl Identity {
-    /// Returns the verdict that those on each of them give.
+    /// Verdict from the verdicts on each known orbit.
     pub fn of(verdicts: impl Iterator<Item = Option<bool>>) -> Self {
         match any(verdicts) {
             Some(false) => Self::New,
@@ -76,17 +76,17 @@ impl Identity {
     }
 }
 
-/// Returns whether `one` is the orbit `other`, from whichever impact on; `None` if undecided.
+/// Whether `one` is the orbit `other`, from whichever impact on; `None` if undecided.
 pub(super) fn is_one_orbit<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(View::of(chain, false).map(|view| view.is_same(chain, one, other)))
 }
 
-/// Returns whether `one` is the orbit `other` or its mirror image, from whichever impact on; `None` if undecided.
+/// Whether `one` is the orbit `other` or its mirror image, from whichever impact on; `None` if undecided.
 pub(super) fn is_one_reduced<N: Enclosing>(chain: &Chain, one: &Proved<N>, other: &Proved<N>) -> Option<bool> {
     any(views(chain).map(|view| view.is_same(chain, one, other)))
 }
 
-/// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided.
+/// Least number of impacts after which an orbit repeats itself or its mirror image; `None` if undecided.
 pub(super) fn reduced_impacts<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
     let mut views: Vec<View> = views(chain).filter(|view| view.shift > 0).collect();
     views.sort_by_key(|view| view.shift);
@@ -103,7 +103,7 @@ fn views(chain: &Chain) -> impl Iterator<Item = View> {
     View::of(chain, false).chain(View::of(chain, true))
 }
 
-/// Returns whether the orbit is its own mirror image; `None` if undecided.
+/// Whether the orbit is its own mirror image; `None` if undecided.
 pub(super) fn is_symmetric<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<bool> {
     if !chain.is_mirror_decided() {
         return None; // T6: it may be for the parameters of which a harmonic vanishes
@@ -111,7 +111,7 @@ pub(super) fn is_symmetric<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Op
     any(View::of(chain, true).map(|view| view.is_same(chain, orbit, orbit)))
 }
 
-/// Returns the number of times that the chain runs through a shorter orbit: 1 when it does not; `None` if undecided.
+/// Number of times that the chain runs through a shorter orbit: 1 when it does not; `None` if undecided.
 pub(super) fn repeats<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<usize> {
     for view in View::of(chain, false).skip(1) {
         if view.is_same(chain, orbit, orbit)? {
@@ -121,7 +121,7 @@ pub(super) fn repeats<N: Enclosing>(chain: &Chain, orbit: &Proved<N>) -> Option<
     Some(1)
 }
 
-/// Returns whether one of them is true; `None` if undecided.
+/// Whether one of the verdicts is true; `None` if undecided.
 fn any(mut verdicts: impl Iterator<Item = Option<bool>>) -> Option<bool> {
     let mut all = Some(false);
     verdicts

@@ -1,6 +1,6 @@
 //! Existence and uniqueness of a zero in a box: Krawczyk's operator, for any equations and in any arithmetic. Lemma T3
 //!
-//! Periodic orbits, bifurcations and the slabs of a branch are zeros of equations of their own; this is what proves them all.
+//! Periodic orbits, bifurcations and the slabs of a branch are zeros of different equations; this operator proves all of them.
 
 use super::entries::Entries;
 use super::precondition::Preconditioner;
@@ -14,12 +14,12 @@ pub trait Equations<N> {
     fn jacobian(&self, x: &[N]) -> Option<Entries<N>>;
 }
 
-/// A zero proved: exactly one lies in `domain`, and it lies in `at`.
+/// A proved zero: exactly one lies in `domain`, and it lies in `at`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proved<N> {
     /// Encloses the zero: of an orbit, its phases.
     pub at: Vec<N>,
-    /// The box in which there is no other one.
+    /// Box in which there is no other zero.
     pub domain: Vec<N>,
 }
 
@@ -32,7 +32,7 @@ pub struct Effort {
     pub domains: u32,
     /// Images that narrow the zero: where nothing is rounded (at quarter periods) they would do so for ever.
     pub images: u32,
-    /// Number of them that may take less than a quarter of a bit off it.
+    /// Number of images that may narrow the zero by less than a quarter of a bit.
     pub slow: u32,
 }
 
@@ -93,12 +93,12 @@ pub(super) fn image_by_doubles<N: Enclosing>(
     Some((0..x.len()).map(image).collect())
 }
 
-/// Returns whether each ball lies in the interior of its outer one.
+/// Whether each ball lies in the interior of its outer one.
 pub fn is_inside<N: Enclosing>(inner: &[N], outer: &[N]) -> bool {
     inner.iter().zip(outer).all(|(inner, outer)| inner.is_interior_to(outer))
 }
 
-/// A guess after N steps of simplified Newton's iteration; nothing is proved.
+/// Guess after `steps` steps of simplified Newton's iteration; nothing is proved.
 pub fn polish<N: Enclosing>(
     equations: &dyn Equations<N>,
     inverse: &Preconditioner,
@@ -134,8 +134,8 @@ pub fn prove<N: Enclosing>(
     None
 }
 
-/// Proves the one zero near a guess in a domain with a radius of its own for each unknown: somewhat more than the image of the domain before
-/// takes. Lemma T3
+/// Proves the one zero near a guess in a domain with its own radius for each unknown. A domain is somewhat larger than the image of the domain
+/// before. Lemma T3
 ///
 /// `None` as of [`prove`], or where the images grow without end: the equations hold for all members of intervals that are too wide.
 pub fn prove_inflating<N: Enclosing>(

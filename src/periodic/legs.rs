@@ -1,9 +1,8 @@
 //! The equations of a closed chain of impacts, one unknown for each: its phase.
 //!
 //! The flights' equations (A.2), (A.4), (A.6) are solved for the drift, (A.1), (A.3), (A.5) for the velocities;
-//! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). Everything is generic in the number, so that
-//! floating point finds, balls prove, and whatever else is a [`Wave`](crate::number::Wave) (a jet in a parameter, say) goes
-//! through the same lines; and in the excitation ([`Shaking`]).
+//! Newton's impact law (15) at each wall is the equation that is left (Lemma T1). The number type and the excitation ([`Shaking`]) are generic:
+//! floating point finds, balls prove, and any other [`Wave`](crate::number::Wave), such as a jet in a parameter, uses the same lines.
 
 use super::chain::Chain;
 use super::entries::Entries;
@@ -12,20 +11,20 @@ use crate::mapping::jacobian_between;
 use crate::number::Number;
 use crate::pair::Reduced;
 
-/// A flight of a chain; velocities in gap widths per forcing period, to the right.
+/// Flight of a chain; velocities in gap widths per forcing period, to the right.
 #[derive(Clone, Copy, Debug)]
 pub struct Leg<N> {
-    /// `h`: how long it takes, in forcing periods.
+    /// `h`: time of flight, in forcing periods.
     pub time: N,
     /// `c`: the drift, that is the absolute velocity.
     pub drift: N,
-    /// `y'` right after the impact that it starts with.
+    /// `y'` right after the impact at the start.
     pub after: N,
-    /// `y'` just before the impact that it ends with.
+    /// `y'` just before the impact at the end.
     pub before: N,
 }
 
-/// The flights through given phases, and what is known of the box at each.
+/// The flights through given phases, and the state of the box at each phase.
 #[derive(Clone, Debug)]
 pub struct Legs<N, M = (N, N)> {
     /// Flight `i` goes from impact `i` to the next one.
@@ -34,12 +33,12 @@ pub struct Legs<N, M = (N, N)> {
     pub waves: Vec<M>,
 }
 
-/// The derivatives of equation `i` by the phases of the impact before, its own, and the one after.
+/// Derivatives of equation `i` by the phases of impacts `i - 1`, `i` and `i + 1`.
 #[derive(Clone, Debug)]
 pub struct Slopes<N>(pub Vec<[N; 3]>);
 
 impl Chain {
-    /// Returns the flights through these phases, each where it has to arrive; `None` where a flight may take no time.
+    /// Flights through these phases, each of which arrives at its wall; `None` where a flight may take no time.
     pub fn legs<N: Number, S: Shaking<N>>(&self, shaking: &S, phases: &[N]) -> Option<Legs<N, S::Moment>> {
         let waves: Vec<S::Moment> = phases.iter().map(|phase| shaking.moment(0.0, phase)).collect();
         let leg = |i: usize| {
@@ -50,7 +49,7 @@ impl Chain {
         Some(Legs { legs, waves })
     }
 
-    /// Flight `i` between two phases; `None` where it may take no time.
+    /// Flight `i` between two phases; `None` where the flight may take no time.
     pub fn leg<N: Number, S: Shaking<N>>(
         &self,
         shaking: &S,
@@ -74,14 +73,14 @@ impl Chain {
         &legs[self.previous(i)].before
     }
 
-    /// Returns what Newton's impact law misses at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
+    /// Residual of Newton's impact law at each impact: `v+ + e v-`, zero at an orbit. **Equation** (15), Lemma T1
     pub fn residual<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Vec<N> {
         let e = shaking.restitution();
         let miss = |i: usize| e.clone().mul_add(self.before(&legs.legs, i).clone(), legs.legs[i].after.clone());
         (0..self.impacts()).map(miss).collect()
     }
 
-    /// Returns the derivatives of [`Chain::residual`] by the phases. Lemma T2
+    /// Derivatives of [`Chain::residual`] by the phases. Lemma T2
     pub fn slopes<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<Slopes<N>> {
         let e = shaking.restitution();
         let both = e.clone() + N::from_f64(1.0);
@@ -99,7 +98,7 @@ impl Chain {
         (0..self.impacts()).map(row).collect::<Option<_>>().map(Slopes)
     }
 
-    /// Returns the derivatives of [`Chain::residual`] by `alpha = A/d`. Lemma T2
+    /// Derivatives of [`Chain::residual`] by `alpha = A/d`. Lemma T2
     pub fn by_alpha<N: Number>(&self, pair: &Reduced<N>, legs: &Legs<N>) -> Option<Vec<N>> {
         let wave = |i: usize| {
             let sines = legs.waves[self.next(i)].0.clone() - legs.waves[i].0.clone();
@@ -114,19 +113,19 @@ impl Chain {
         (0..self.impacts()).map(row).collect()
     }
 
-    /// Returns the derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
+    /// Derivatives of [`Chain::residual`] by `e`: the velocities before the impacts. Lemma T2
     pub fn by_restitution<N: Number>(&self, legs: &Legs<N>) -> Vec<N> {
         (0..self.impacts()).map(|i| self.before(&legs.legs, i).clone()).collect()
     }
 
-    /// Returns the product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
+    /// Product of the Jacobians (A.7) over the period, from impact 0 on. **Equations** (31), (37), (53)
     ///
     /// `None` when an arrival may be a graze.
     pub fn monodromy<N: Number, S: Shaking<N>>(&self, shaking: &S, legs: &Legs<N, S::Moment>) -> Option<[[N; 2]; 2]> {
         self.monodromy_of(shaking, legs, self.impacts())
     }
 
-    /// Returns the product of the Jacobians (A.7) of the first flights, at least one.
+    /// Product of the Jacobians (A.7) of the first `flights` flights, at least one.
     pub(super) fn monodromy_of<N: Number, S: Shaking<N>>(
         &self,
         shaking: &S,
@@ -165,7 +164,7 @@ pub(super) fn times<N: Number>(a: &[[N; 2]; 2], b: &[[N; 2]; 2]) -> [[N; 2]; 2] 
 }
 
 impl<N> Slopes<N> {
-    /// Returns the matrix of the derivatives. Two may fall on one place.
+    /// The matrix of the derivatives. Two entries may fall on one place.
     pub fn into_entries(self) -> Entries<N> {
         let count = self.0.len();
         let entries = self.0.into_iter().enumerate().flat_map(|(i, row)| {

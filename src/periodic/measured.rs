@@ -34,7 +34,7 @@ pub struct MeasuredOrbit {
 }
 
 impl MeasuredOrbit {
-    /// Returns the orbit listed from the first impact on this wall; unchanged if there is none.
+    /// The orbit listed from the first impact on this wall; unchanged if there is none.
     pub fn listed_from(&self, wall: Wall) -> Self {
         let first = self.impacts.iter().position(|impact| impact.wall == wall);
         let mut listed = self.clone();

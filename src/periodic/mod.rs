@@ -64,9 +64,9 @@ pub use stability::{Eigenvalue, Stability, determinant, eigenvalues, trace};
 /// Requested widths of the enclosures of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
-    /// At most `10^-digits` wide: phases in forcing periods, velocities in `A W`.
+    /// Digits: enclosures are at most `10^-digits` wide, of phases in forcing periods, of velocities in `A W`.
     pub digits: u32,
-    /// Bits to take at most.
+    /// Greatest number of bits.
     pub max_bits: u32,
 }
 
@@ -83,7 +83,7 @@ impl Precision {
     }
 }
 
-/// Digits that orbits are distinguished by, where those requested do not do.
+/// Digits that distinguish orbits, where the requested digits do not.
 const FINE_DIGITS: u32 = 14;
 
 /// The problem of finding the periodic orbits of a word with a given number of forcing periods.
@@ -111,7 +111,7 @@ pub struct Problem {
     shaken: Either,
 }
 
-/// The excitation of a pair, and the equations of a word that takes N cycles under it.
+/// Excitation of a pair, and equations of a word that takes `cycles` forcing periods under that excitation.
 fn of_word(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<(Either, Chain), Error> {
     Ok(match SeveralHarmonics::new(pair, &BigInt::ZERO)? {
         None => (Either::One(Arc::new(OneHarmonic::of(pair)?)), Chain::new(word, cycles)?),
@@ -123,32 +123,32 @@ fn of_word(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<(Either, Chain
 }
 
 impl Problem {
-    /// Returns the problem for `pair` with this word and this number of cycles.
+    /// The problem for `pair` with this word and this number of cycles.
     ///
     /// # Errors
-    /// If the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. Under several harmonics also if
-    /// their frequencies are not proved to be commensurate, or the cycles are no multiple of the common period.
+    /// If the word is not closed, there is no cycle or too many of them, or `A/d` is beyond doubles. With several harmonics also if their
+    /// frequencies are not proved to be commensurate, or the cycles are no multiple of the common period.
     pub fn new(pair: &ImpactPair, word: &Word, cycles: u32) -> Result<Self, Error> {
         let (shaken, chain) = of_word(pair, word, cycles)?;
         Ok(Self { impact_pair: pair.clone(), word: word.clone(), chain, shaken })
     }
 
-    /// Returns the pair.
+    /// The pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.impact_pair
     }
 
-    /// Returns the word.
+    /// The word.
     pub fn word(&self) -> &Word {
         &self.word
     }
 
-    /// Returns the equations.
+    /// The equations.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// Returns the parameters in doubles; `None` with several harmonics.
+    /// The parameters in doubles; `None` with several harmonics.
     pub fn reduced(&self) -> Option<&Reduced<Ball>> {
         match &self.shaken {
             Either::One(one) => Some(&one.bounds_of_pair.pair),
@@ -156,7 +156,7 @@ impl Problem {
         }
     }
 
-    /// Returns the common period of all harmonics, in periods of the fastest: 1 for one harmonic.
+    /// The common period of all harmonics, in periods of the fastest: 1 for one harmonic.
     pub fn period(&self) -> u32 {
         self.chain.period()
     }
@@ -195,25 +195,25 @@ impl Problem {
         Census { orbits: found, interrupted, ..Census::default() }
     }
 
-    /// Returns whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
+    /// Whether each orbit in a box of phases, impact by impact, is proved to be this one or its mirror image. Lemma T6
     pub(crate) fn is_all_of(&self, phases: &[Interval], orbit: &PeriodicOrbit) -> bool {
         let balls: Vec<Ball> = phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
         is_one_reduced(&self.chain, &whole, &orbit.proved) == Some(true)
     }
 
-    /// Returns whether both are one orbit, or mirror images; `None` if undecided. Lemma T6
+    /// Whether two orbits are one, or mirror images; `None` if undecided. Lemma T6
     pub(crate) fn is_reduced(&self, one: &PeriodicOrbit, other: &PeriodicOrbit) -> Option<bool> {
         is_one_reduced(&self.chain, &one.proved, &other.proved)
     }
 
-    /// Returns the least number of impacts after which an orbit is what it was, or its mirror image; `None` if undecided. Lemma T6
+    /// Least number of impacts after which an orbit repeats itself or its mirror image; `None` if undecided. Lemma T6
     pub(crate) fn reduced_impacts(&self, orbit: &PeriodicOrbit) -> Option<usize> {
         identity::reduced_impacts(&self.chain, &orbit.proved)
     }
 
-    /// Returns the problem of an orbit that is after N impacts what it was, or its mirror image: of one round of it, or two where walls
-    /// are exchanged; and the phases of that.
+    /// Problem and phases of an orbit that repeats itself or its mirror image after `impacts` impacts: of one such round, or of two rounds where
+    /// the walls are exchanged.
     pub(crate) fn least(&self, impacts: usize, orbit: &PeriodicOrbit) -> Option<(Self, Vec<Interval>)> {
         let (walls, count) = (self.chain.walls(), self.chain.impacts());
         let rounds = if walls[impacts % count] == walls[0] { 1 } else { 2 };
@@ -225,7 +225,7 @@ impl Problem {
         Some((problem, phases))
     }
 
-    /// The orbit near a guess, and whether it is one of those known: orbits that the requested digits do not distinguish are proved to more. Lemma T6
+    /// Proves the orbit near a guess, and whether it is known: orbits that the requested digits do not distinguish are proved to more. Lemma T6
     fn prove_beside<'o>(
         &self,
         guess: &[f64],
@@ -235,7 +235,7 @@ impl Problem {
         self.prove_beside_by(guess, precision, known, is_one_orbit)
     }
 
-    /// The same, mirror images taken for one.
+    /// As `prove_beside`, but an orbit and its mirror image count as one.
     pub(crate) fn prove_reduced<'o>(
         &self,
         guess: &[f64],
@@ -266,7 +266,7 @@ impl Problem {
         found
     }
 
-    /// Returns whether a guess lies where a known orbit is the only one.
+    /// Whether a guess lies where a known orbit is the only one.
     fn is_known(&self, guess: &[f64], found: &[PeriodicOrbit]) -> bool {
         let point: Vec<Ball> = guess.iter().map(|&x| Ball::exact(x)).collect();
         let point = Proved { domain: point.clone(), at: point };

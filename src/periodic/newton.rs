@@ -16,9 +16,9 @@ const MIN_FLIGHT_PART: f64 = 0.2;
 /// Steps below this are tiny.
 const TINY_STEP: f64 = 1e-9;
 
-/// Takes at most `most` steps, each of which returns its size, until they are tiny and no longer shrink: as far as doubles go.
+/// Repeats a step, which returns its size, at most `most` times, until steps are tiny and no longer shrink: as far as doubles go.
 ///
-/// `None` where they do not settle.
+/// `None` where the steps do not settle.
 pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Option<()> {
     let mut last = f64::INFINITY;
     for _ in 0..most {
@@ -31,7 +31,7 @@ pub(super) fn settle(most: usize, mut step: impl FnMut() -> Option<f64>) -> Opti
     (last < TINY_STEP).then_some(())
 }
 
-/// Phases near an orbit's from phases that may be far from them; `None` where Newton's iteration does not settle.
+/// Improves phases, which may be far from an orbit's; `None` where Newton's iteration does not settle.
 pub fn polish<S: Shaking<f64>>(chain: &Chain, shaking: &S, mut phases: Vec<f64>) -> Option<Vec<f64>> {
     let mut legs = chain.legs(shaking, &phases)?;
     settle(MOST_STEPS, || {
@@ -61,7 +61,7 @@ fn newton_step<S: Shaking<f64>>(
     (0..misses.len()).map(|i| -inverse.row(i).iter().zip(&misses).fold(0.0, |sum, (y, f)| y.mul_add(*f, sum))).collect()
 }
 
-/// Returns the part of a step, at most 1, that keeps the impacts in order.
+/// Part of a step, at most 1, that keeps the impacts in order.
 fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     let room = |i: usize| {
         let change = step[chain.next(i)] - step[i];
@@ -71,7 +71,7 @@ fn keep_order(chain: &Chain, legs: &[Leg<f64>], step: &[f64]) -> f64 {
     (0..step.len()).map(room).fold(1.0, f64::min) // proposes
 }
 
-/// Returns whether these phases are in order and each impact comes from inside the gap, as far as doubles can decide.
+/// Whether these phases are in order and each impact comes from inside the gap, as far as doubles can decide.
 pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> bool {
     chain.legs(shaking, phases).is_some_and(|legs| {
         let arrives = |i: usize| chain.walls()[i].inward(*chain.before(&legs.legs, i)) < 0.0;
@@ -79,7 +79,7 @@ pub fn is_plausible<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64])
     })
 }
 
-/// Returns the preconditioner at these phases.
+/// Preconditioner at these phases.
 pub fn precondition<S: Shaking<f64>>(chain: &Chain, shaking: &S, phases: &[f64]) -> Option<Preconditioner> {
     Preconditioner::new(&chain.slopes(shaking, &chain.legs(shaking, phases)?)?.into_entries())
 }

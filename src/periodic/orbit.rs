@@ -18,15 +18,15 @@ use crate::pair::Wall;
 pub struct PeriodicImpact {
     /// The wall.
     pub wall: Wall,
-    /// The phase in forcing periods, counted from the beginning of the period of the first impact; with several harmonics since the common
-    /// period began that it is in.
+    /// Phase in forcing periods, counted from the beginning of the first impact's forcing period. With several harmonics: counted from the
+    /// beginning of the first impact's common period.
     pub phase: Enclosure,
     /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
     pub velocity: Enclosure,
 }
 
 impl PeriodicImpact {
-    /// Returns the forcing period of its phase `W t + tau`, counted from that of the first impact.
+    /// Forcing period of the phase `W t + tau`, counted from that of the first impact.
     pub fn cycle(&self) -> i64 {
         let turn = self.phase.inf().to_rational().floor().to_integer(); // exact: a whole number
         turn.to_i64().expect("forcing periods of a chain")
@@ -47,7 +47,7 @@ pub struct PeriodicOrbit {
     pub physical: Option<bool>,
     /// `Some(true)`: it is its own mirror image, half a period of the excitation later; `Some(false)`: it is not (Lemma T6).
     pub symmetric: Option<bool>,
-    /// Number of times that it runs through a shorter orbit: 1 when it does not (Lemma T6).
+    /// Number of times that the word runs through a shorter orbit: 1 when it does not (Lemma T6).
     pub repeats: Option<usize>,
     /// Trace of the product of the Jacobians (A.7) over the period.
     pub trace: Enclosure,
@@ -55,9 +55,9 @@ pub struct PeriodicOrbit {
     pub determinant: Enclosure,
     /// The eigenvalues, the one of larger modulus first. **Equation** (38)
     pub eigenvalues: [Eigenvalue; 2],
-    /// What is proved of its stability (Lemma T4).
+    /// Proved stability (Lemma T4).
     pub stability: Stability,
-    /// The bits it was proved with: 53 in double precision.
+    /// Bits of the proof: 53 in double precision.
     pub bits: u32,
     /// `true` if the enclosures are as narrow as requested.
     pub is_narrow: bool,
@@ -66,12 +66,12 @@ pub struct PeriodicOrbit {
 }
 
 impl PeriodicOrbit {
-    /// Returns the phases in forcing periods, impact by impact, in doubles.
+    /// Phases in forcing periods, impact by impact, in doubles.
     pub fn phases(&self) -> &[Ball] {
         &self.proved.at
     }
 
-    /// Returns the box of phases in which there is no other orbit of the word, in doubles.
+    /// Box of phases in which there is no other orbit of the word, in doubles.
     pub fn domain(&self) -> &[Ball] {
         &self.proved.domain
     }
@@ -82,7 +82,7 @@ impl PeriodicOrbit {
         Ball::new(mid, rad)
     }
 
-    /// Returns whether all its properties are decided.
+    /// Whether all properties of the orbit are decided.
     pub fn is_decided(&self) -> bool {
         self.stability != Stability::Undecided
             && self.physical.is_some()
@@ -91,7 +91,7 @@ impl PeriodicOrbit {
     }
 }
 
-/// All that one arithmetic proves of an orbit.
+/// Results that one arithmetic proves of an orbit.
 #[derive(Clone, Debug)]
 pub struct Finding<N> {
     /// The enclosures of the phases, and the box in which there is no other orbit.
@@ -111,7 +111,7 @@ pub struct Finding<N> {
 }
 
 impl<N: Enclosing> Finding<N> {
-    /// Returns the properties of the orbit in a proved box; `None` where an impact may be a graze.
+    /// Properties of the orbit in a proved box; `None` where an impact may be a graze.
     pub(super) fn new<S: Shaking<N>>(
         chain: &Chain,
         shaking: &S,
@@ -134,7 +134,7 @@ impl<N: Enclosing> Finding<N> {
         [1.0 + widest(&self.proved.at), 1.0 + velocities.fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// The orbit in intervals; `None` when one is not finite.
+    /// The orbit in intervals; `None` when an enclosure is not finite.
     pub(super) fn finish(
         &self,
         chain: &Chain,
@@ -176,7 +176,7 @@ impl<N: Enclosing> Finding<N> {
     }
 }
 
-/// The forcing periods up to the common period in which the first impact is.
+/// Whole forcing periods up to the beginning of the common period of the first impact.
 pub(super) fn whole_periods(chain: &Chain, first: &Enclosure, bits: u32) -> Enclosure {
     let period = BigRational::from_integer(chain.period().into());
     let turns = (first.inf().to_rational() / &period).floor() * period; // exact: a whole number

@@ -16,11 +16,11 @@ use crate::pair::Wall;
 pub(super) struct Claim<N> {
     pub from: Wall,
     to: Wall,
-    /// Whole forcing periods and the rest of the phase, and velocity before the impact it starts with.
+    /// Whole forcing periods and the rest of the phase, and velocity before the impact at the start.
     pub turns: f64,
     pub start: N,
     pub before: N,
-    /// The phase that it ends at.
+    /// Phase at the end of the flight.
     end: N,
     leg: Leg<N>,
 }
@@ -35,7 +35,7 @@ pub(super) fn is_physical(
     all_first(chain, split(phases), &legs.legs, |claim| first_in_doubles(bounds_of_pair, claim))
 }
 
-/// The same at phases that are known exactly, whole quarters of a forcing period. Lemma T14
+/// As [`is_physical`], at phases that are known exactly: whole quarters of a forcing period. Lemma T14
 pub(super) fn is_physical_at(bounds_of_pair: &PairBounds, chain: &Chain, quarters: &[f64]) -> Option<bool> {
     let phases: Vec<Ball> = quarters.iter().map(|&phase| Ball::exact(phase)).collect();
     let legs = chain.legs(&bounds_of_pair.pair, &phases)?;
@@ -75,7 +75,7 @@ pub(super) fn all_first<N: Enclosing>(
 }
 
 impl<N: Enclosing> Claim<N> {
-    /// Returns whether the ball comes to the first impact from inside the gap.
+    /// Whether the ball comes to the first impact from inside the gap; `None` if undecided.
     pub fn arrives(&self) -> Option<bool> {
         match self.from.inward(self.before.clone()).certain_sign()? {
             Ordering::Less => Some(true),
@@ -84,14 +84,14 @@ impl<N: Enclosing> Claim<N> {
         }
     }
 
-    /// Returns whether the ball, dead after its impact, is pressed against the wall and stays: Lemma Z2.
+    /// Whether the ball, after a perfectly plastic impact, is held on the wall by the contact force: Lemma Z2.
     pub fn sticks(&self, after: &N) -> bool {
         let sin = self.from.inward(self.start.wave().0);
         after.certain_sign() == Some(Ordering::Equal) && sin.certain_sign() == Some(Ordering::Less)
     }
 
-    /// Returns whether a first contact that is proved is the end of the flight: one on this wall, whole forcing periods after those of the
-    /// start and with this rest of its phase. Lemma T5
+    /// Whether a proved first contact is the end of the flight. Given: its wall, its whole forcing periods after the start's, and the rest
+    /// of its phase. Lemma T5
     pub fn is_at<S: Shaking<N>>(&self, shaking: &S, wall: Wall, (turns, phase): (f64, N)) -> Option<bool> {
         if wall != self.to {
             return Some(false);

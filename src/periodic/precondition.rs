@@ -12,7 +12,7 @@ pub struct Preconditioner {
 }
 
 impl Preconditioner {
-    /// Returns the inverse of this matrix; `None` when it has none in doubles.
+    /// Inverse of this matrix; `None` when it has none in doubles.
     pub fn new(jacobian: &Entries<f64>) -> Option<Self> {
         let transposed = jacobian.dense().try_inverse()?.transpose();
         transposed.iter().all(|x| x.is_finite()).then_some(Self { transposed })

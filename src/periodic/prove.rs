@@ -17,7 +17,7 @@ use crate::shaken::{Parameters, under};
 
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MAX_SLOW_IMAGES: u32 = 64;
-/// Returns the limits of the proof of an orbit in N bits.
+/// Limits of the proof of an orbit in `bits` bits.
 fn effort(bits: u32) -> Effort {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
     let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
@@ -28,7 +28,7 @@ fn effort(bits: u32) -> Effort {
 impl Problem {
     /// Proves the orbit near these phases (in forcing periods, in time order) in doubles. Lemmas T3-T5
     ///
-    /// `None` where that is not proved.
+    /// `None` where the orbit is not proved.
     pub fn prove_in_doubles(&self, guess: &[f64]) -> Option<Finding<Ball>> {
         under!(&self.shaken, shaken => self.prove_in_balls(&**shaken, guess))
     }
@@ -42,7 +42,7 @@ impl Problem {
         })
     }
 
-    /// Proves an orbit and all that follows in an arithmetic of N bits.
+    /// Proves an orbit and its properties in an arithmetic of `bits` bits.
     fn attempt<N: Enclosing, B: Shaking<N>>(
         &self,
         shaking: &B,
@@ -63,9 +63,9 @@ impl Problem {
 
     /// Proves the orbit near these phases (in forcing periods, in time order), to the requested width.
     ///
-    /// In doubles first; in more and more bits where they do not prove, decide or narrow enough. `None` where no orbit
-    /// could be proved, or these are not as many phases as the word has impacts; an orbit may be wider than requested, if the allowed bits
-    /// end or parameters are intervals.
+    /// In doubles first; in more and more bits where doubles do not prove, decide or narrow enough. `None` where no orbit could be proved, or
+    /// the number of phases is not the word's number of impacts. An orbit may be wider than requested, if the allowed bits end or parameters are
+    /// intervals.
     pub fn prove(&self, guess: &[f64], precision: Precision) -> Option<PeriodicOrbit> {
         if guess.len() != self.chain.impacts() {
             return None;
@@ -87,7 +87,7 @@ impl Problem {
     }
 }
 
-/// Returns whether the widths are those requested.
+/// Whether the widths are at most the requested ones.
 fn is_narrow<N: Enclosing>(shaken: &impl Chained, finding: &Finding<N>, precision: Precision) -> bool {
     let requested = precision.log2_width();
     let speed = shaken.speed().log2();

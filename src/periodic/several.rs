@@ -15,7 +15,7 @@ use crate::pair::ImpactPair;
 use crate::several::{Doubt, FlightNumber, Partial, PhaseNumber, Spectrum};
 use crate::shaken::{SeveralHarmonics, Sum};
 
-/// Returns the common period of the harmonics of a pair, and whether they are odd.
+/// Common period of the harmonics of a pair, and whether all harmonics are odd.
 ///
 /// # Errors
 /// If their frequencies are not proved to be commensurate, or the common period is longer than [`MOST_CYCLES`].
@@ -31,7 +31,7 @@ pub(super) fn repetition(pair: &ImpactPair, spectrum: &Spectrum) -> Result<Repet
     })
 }
 
-/// Returns whether the first contact of a flight is its end; `None` if undecided. Lemma H12
+/// Whether the first contact of a flight is its end; `None` if undecided. Lemma H12
 fn is_first<N: FlightNumber + Enclosing>(
     several: &SeveralHarmonics,
     sum: &Sum<N>,

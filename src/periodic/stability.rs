@@ -10,17 +10,17 @@ use crate::number::{Enclosing, Number};
 pub enum Stability {
     /// Both eigenvalues lie inside the unit circle, proved.
     Stable,
-    /// One lies outside, proved.
+    /// One eigenvalue lies outside the unit circle, proved.
     Unstable,
-    /// `e = 1`, and both lie on the unit circle, apart and not real, proved: small disturbances neither die out nor grow in linear theory, which
-    /// says no more.
+    /// `e = 1`, and both eigenvalues lie on the unit circle, apart and not real, proved: small disturbances neither die out nor grow in
+    /// linear theory, which decides no more.
     Elliptic,
     /// None of these is proved: a bifurcation is too near.
     Undecided,
 }
 
 impl Stability {
-    /// Returns the word of the periodic JSON.
+    /// Name of the stability in the periodic JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Stable => "stable",
@@ -30,7 +30,7 @@ impl Stability {
         }
     }
 
-    /// Returns the stability from trace and determinant, a power of the restitution: Jury's conditions, with the signs of (39) and (40). Lemma T4
+    /// Stability from trace and determinant, a power of the restitution: Jury's conditions, with the signs of (39) and (40). Lemma T4
     pub fn of<N: Enclosing>(trace: &N, determinant: &N, restitution: &N) -> Self {
         let one = || N::from_f64(1.0);
         let sum = one() + determinant.clone();

@@ -9,11 +9,11 @@ use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact};
 use crate::shaken::Either;
 
-/// Bits of what is said of a family.
+/// Bits of the bounds of a family.
 const BITS: u32 = 64;
 
 impl Problem {
-    /// All there is to say of the word, where a lemma says it; `None` where orbits have to be looked for.
+    /// Complete answer for the word, where a lemma gives one; `None` where orbits have to be looked for.
     pub(super) fn settled(&self) -> Option<Census> {
         let settled = Census { exhaustive: true, is_search: true, ..Census::default() };
         if !self.chain.crosses() {
@@ -33,12 +33,12 @@ impl Problem {
         }
     }
 
-    /// Returns whether no wall is hit twice in a row.
+    /// Whether no wall is hit twice in a row.
     fn alternates(&self) -> bool {
         (0..self.chain.impacts()).all(|i| self.chain.displacement(i) != 0.0) // T11: -1, 0 or 1, exact
     }
 
-    /// The orbits of Lemma T11 (b), those with the first impact in turn 0.
+    /// Family of orbits of Lemma T11 (b), with the first impact in forcing period 0.
     fn family(&self) -> Region {
         let whole = |n: usize| Enclosure::from_f64_bounds(n as f64, n as f64).expect("a finite number"); // exact: small
         let [impacts, cycles] = [self.chain.impacts(), self.chain.cycles() as usize].map(whole); // exact: small

@@ -77,7 +77,7 @@ impl Chain {
     }
 
     /// Cuts the chain from a flight on until a pass gains little. True if Newton's equation determined all phases. `None` when
-    /// no chain is\nleft.
+    /// no chain is left.
     pub fn narrow(&mut self, laws: &Laws, first: usize) -> Option<bool> {
         loop {
             let before = self.size(first);

@@ -45,7 +45,7 @@ impl Graph {
     }
 
     /// Boxes that a cycle of `impacts` impacts may pass, impact by impact, from a box of `block` on. Cycles through earlier
-    /// blocks are\nleft out. `None` where there is none. Lemma D21
+    /// blocks are left out. `None` where there is none. Lemma D21
     pub fn layers(&self, block: usize, impacts: usize) -> Option<Vec<Layer>> {
         let forth = self.walk(&self.next, &self.blocks[block], block, impacts, None);
         let is_back = |&cell: &u32| forth[impacts][cell as usize]; // exact: an index

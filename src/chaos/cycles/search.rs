@@ -130,8 +130,9 @@ impl<'t> Search<'t> {
         all
     }
 
-    /// Encloses the landings of flights from a rectangle: the wall, and a rectangle of reduced phases and speeds. Lemma D4\n\n`None` where a
-    /// flight is not followed.
+    /// Encloses the landings of flights from a rectangle: the wall, and a rectangle of reduced phases and speeds. Lemma D4
+    ///
+    /// `None` where a flight is not followed.
     fn landings(&self, phases: Interval, speeds: Interval) -> Option<Vec<(Side, [Interval; 2])>> {
         let whole = phases.inf().floor(); // D22: any whole forcing periods
         let [u, w] = [phases - Interval::point(whole), speeds];

@@ -115,7 +115,7 @@ proptest! {
     }
 }
 
-/// The numbers are from `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits\nand
+/// The numbers are from `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits and
 /// shares no code with this crate.
 #[test]
 fn counts_are_those_of_an_independent_search() {

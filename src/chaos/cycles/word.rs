@@ -6,7 +6,7 @@ use crate::number::interval::Interval;
 use crate::pair::ImpactPair;
 use crate::periodic::Problem;
 
-/// Closed chain in the whole system: once around, or twice where the walls are exchanged after one round. The chain begins at the impact\nthat
+/// Closed chain in the whole system: once around, or twice where the walls are exchanged after one round. The chain begins at the impact that
 /// makes its word the least, so that all rotations have one word.
 pub(super) struct WallChain {
     /// The walls of its impacts, `L` or `R`.

@@ -54,7 +54,7 @@ pub(super) struct Analysis<'a> {
 }
 
 impl<'a> Analysis<'a> {
-    /// Analyses all states that motions have in the end. The smallest undecided component is refined first:\nthin sets that need many boxes wait
+    /// Analyses all states that motions have in the end. The smallest undecided component is refined first: thin sets that need many boxes wait
     /// for those that shrink.
     pub fn of(request: Request<'a>) -> Self {
         let mut analysis = Self { request, nodes: Vec::new(), mapped: 0, work: 0, stopped: None };

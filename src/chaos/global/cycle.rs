@@ -193,7 +193,7 @@ fn derivative(space: &Space, [phases, speeds]: &[[f64; 2]; 2], state: State, ima
     landing(space, &quad, image.side, image.state[0] - image.side.shift() + turned)
 }
 
-/// Encloses the derivatives of the map in a quadrilateral all of whose flights land on one wall, within three quarters of a forcing\nperiod about
+/// Encloses the derivatives of the map in a quadrilateral all of whose flights land on one wall, within three quarters of a forcing period about
 /// the given phase. Lemma A8
 pub(super) fn landing(space: &Space, quad: &Quad, side: Side, about: f64) -> Option<Matrix> {
     let landing = Flights::new(space.law(), quad).land(side, about)?;

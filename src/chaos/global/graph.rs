@@ -132,7 +132,7 @@ impl Graph {
         Ok((graph, allowance.done.into_inner()))
     }
 
-    /// Recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed`: nothing leaves the boxes\nof the
+    /// Recurrent components: whatever stays among the boxes for ever is in one of them in the end. `is_closed`: nothing leaves the boxes of the
     /// graph. Lemma A6
     pub fn recurrent(&self, is_closed: bool) -> Recurrent {
         let count = self.cells.len() + 1;

@@ -23,7 +23,7 @@ const TRANSIENT: usize = 4;
 /// H-sets have phases, in forcing periods, from -1 to 2.
 const PHASE_RANGE: std::ops::RangeInclusive<i64> = -2..=2;
 
-/// Proves a horseshoe whose motions end in this component, not in another one, by words of at most `depth` impacts. `None` where no\nhorseshoe is
+/// Proves a horseshoe whose motions end in this component, not in another one, by words of at most `depth` impacts. `None` where no horseshoe is
 /// proved. Lemma A13
 pub(super) fn within(
     space: &Space,

@@ -111,7 +111,7 @@ impl Space {
     }
 
     /// Notes all events that may follow the states of a box. Long flights, which land in all columns, are noted in the columns
-    /// `requested`,\nwhich are in order. Returns the work: views of flights, columns of long ones, and noted events.
+    /// `requested`, which are in order. Returns the work: views of flights, columns of long ones, and noted events.
     pub fn images(&self, grid: Grid, (column, row): Cell, requested: &[i32], note: &mut dyn FnMut(Next)) -> u64 {
         let [columns, rows] = [grid.columns as f64, grid.rows]; // exact: powers of two
         let phases = [f64::from(column) / columns, f64::from(column + 1) / columns];

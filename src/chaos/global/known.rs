@@ -243,7 +243,7 @@ impl LimitCycle {
 
 impl LimitCycle {
     /// Whether the cycle is proved to be in the boxes of a component: `true` where the bounds of one state meet no box of any other
-    /// component,\n`false` where the bounds of one state meet no box of this component; else `None`. Lemma A8 (place)
+    /// component, `false` where the bounds of one state meet no box of this component; else `None`. Lemma A8 (place)
     pub(super) fn is_in(&self, law: &Law, component: &Component, others: &[&Component]) -> Option<bool> {
         let states: Option<Vec<[Ball; 2]>> = self.orbit.impacts.iter().map(|impact| mirrored(impact, law)).collect();
         let states = states?;
@@ -285,7 +285,7 @@ pub(super) fn is_motion_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64
     orbit.physical == Some(true) && is_in_turn(orbit, law, hulls)
 }
 
-/// Whether the impacts of a period are proved to be in the rectangles, one after the other, round after round. Impacts are mirrored to\nthe left
+/// Whether the impacts of a period are proved to be in the rectangles, one after the other, round after round. Impacts are mirrored to the left
 /// wall, less whole forcing periods; two rounds use the same rectangles. Lemma A8
 pub(super) fn is_in_turn(orbit: &PeriodicOrbit, law: &Law, hulls: &[[[f64; 2]; 2]]) -> bool {
     orbit.impacts.iter().zip(hulls.iter().cycle()).all(|(impact, hull)| {
@@ -302,7 +302,7 @@ fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
     low <= least && most <= high
 }
 
-/// Bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for one period of the reduced map. The eigenvalues\nbelong
+/// Bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for one period of the reduced map. The eigenvalues belong
 /// to `rounds` such periods: 1 or 2. Lemma A8
 pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
     let square = |x: &Enclosure| x.powi(2, BITS);

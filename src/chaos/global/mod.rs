@@ -1,8 +1,8 @@
 //! Global analysis of a pair: the components that all its motions end in. Lemmas A1-A14 of `docs/proofs/global.md#A1`.
 //!
-//! Boxes cover the speeds that motions have in the end. `image` encloses all that may follow each box; `graph` finds the components that\nmotions
+//! Boxes cover the speeds that motions have in the end. `image` encloses all that may follow each box; `graph` finds the components that motions
 //! may stay in for ever; `analysis` refines each component alone. `cycle` proves the limits of their motions. Where no limit is
-//! proved,\n`attractors` and `horseshoes` look inside. `basins` finds the boxes whose motions all go to one attractor.
+//! proved, `attractors` and `horseshoes` look inside. `basins` finds the boxes whose motions all go to one attractor.
 
 mod analysis;
 mod attractors;

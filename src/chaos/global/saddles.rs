@@ -242,7 +242,7 @@ fn stretching([[a, b], [c, d]]: &Matrix) -> Option<f64> {
     (long > 0.0 && wide <= long).then_some(long)
 }
 
-/// Whether the lengths of the sets that stay for n impacts tend to 0 as n grows: the matrix of the inverse stretching factors has a\nspectral
+/// Whether the lengths of the sets that stay for n impacts tend to 0 as n grows: the matrix of the inverse stretching factors has a spectral
 /// radius below 1. Lemma A12
 fn vanishes(count: usize, stretched: &[(&Piece, f64)]) -> bool {
     let mut lengths = vec![1.0; count];

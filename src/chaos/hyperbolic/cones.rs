@@ -24,7 +24,7 @@ pub(crate) struct Proved {
 
 impl Map<'_> {
     /// Images of cells that cover a word's strip. Proved: the strip is mapped across the next h-set; each cell that meets the h-set maps
-    /// the\ncone of slopes up to `kappa` into itself, and expands. Else the reason why not. Lemmas D25, D26
+    /// the cone of slopes up to `kappa` into itself, and expands. Else the reason why not. Lemmas D25, D26
     pub fn prove(&self, branch: &Branch, kappa: f64, watch: &dyn Watch) -> Result<Vec<Image>, LeftOut> {
         if !is_flat(branch, kappa) {
             return Err(LeftOut::Leaning);
@@ -36,7 +36,7 @@ impl Map<'_> {
     }
 
     /// Whether no state of a word's strip is proved to be, on the way, in the strip of a shorter word whose flights are the last ones of
-    /// this\nword. Only heights that an image of a word has there count. Lemma D25
+    /// this word. Only heights that an image of a word has there count. Lemma D25
     pub fn is_alone(&self, word: &Proved, all: &[Proved], heights: &[Ball], watch: &dyn Watch) -> bool {
         let branch = &word.branch;
         let shortcuts: Vec<Shortcut<'_>> = all.iter().filter_map(|other| Shortcut::of(branch, &other.branch)).collect();

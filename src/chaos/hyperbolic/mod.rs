@@ -82,7 +82,7 @@ pub struct Hyperbolic {
 
 impl Hyperbolic {
     /// Hyperbolic set of those words that are proved to expand and that lead back to each other, or the reasons why there is none.
-    /// `watch`\nreceives the number of cells.
+    /// `watch` receives the number of cells.
     ///
     /// # Errors
     /// If the pair has several harmonics, or a value is beyond the range of flights.

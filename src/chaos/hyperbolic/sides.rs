@@ -40,7 +40,7 @@ impl Sides {
     }
 
     /// Sides of the images of states. Given: the coefficient of restitution, the speeds before the flight, and the speeds of the middle's
-    /// image\nafter it.
+    /// image after it.
     pub fn landed(&self, landing: &Landing<2>, [restitution, before, after]: [Ball; 3]) -> Self {
         let [first, rest] = [self.first, self.rest].map(|side| landing.derivative(side));
         let moved = Self { first, rest, area: cross(first, rest), ..*self };

@@ -150,7 +150,7 @@ impl Strings<'_> {
     }
 
     /// Graph of strings: an edge for each word alone, or with a word before it and some after it. An edge weighs the logarithm of its
-    /// word's\nexpansion; its length is the word's impacts. Also the slopes of the expanding directions where each word leads to.
+    /// word's expansion; its length is the word's impacts. Also the slopes of the expanding directions where each word leads to.
     pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
         let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Cylinder::of(inside(proved))));

@@ -145,7 +145,7 @@ pub(crate) struct Map<'m> {
 
 impl Map<'_> {
     /// Encloses the image of a cell of a word's strip, where each flight is proved to land as the word says. `passed` receives the states
-    /// after\neach impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
+    /// after each impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
     pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Image, Lost> {
         let (frame, strip) = (&self.frames[branch.from], &branch.strip);
         let [place, slope] = strip.line(cell.at[0]);

@@ -153,7 +153,7 @@ impl Windows {
         Ok(all)
     }
 
-    /// Whether there are windows and all is proved of each: the orbit, its stability, both ends, and the orbits between. Unproved\norbits claim
+    /// Whether there are windows and all is proved of each: the orbit, its stability, both ends, and the orbits between. Unproved orbits claim
     /// no window.
     pub fn is_certified(&self) -> bool {
         !self.interrupted && !self.windows.is_empty() && self.windows.iter().all(|found| found.window.is_certified())

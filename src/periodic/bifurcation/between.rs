@@ -61,7 +61,7 @@ pub(super) struct Between<'b> {
 }
 
 impl Between<'_> {
-    /// Proves it, in doubles unless the window is relatively narrow, or says where that fails. Lemmas Y8, Y9
+    /// Proves the statement, in doubles unless the window is relatively narrow, or gives the step that fails. Lemmas Y8, Y9
     pub fn prove(&self, width: f64) -> Result<(), &'static str> {
         let doubles = self.setting.doubles();
         let of_ball = |x: &Enclosure| {
@@ -74,7 +74,7 @@ impl Between<'_> {
         self.prove_precisely()
     }
 
-    /// Proves it in one arithmetic.
+    /// Proves the statement in one arithmetic.
     pub fn prove_in<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<OneHarmonic, N>,
@@ -166,7 +166,7 @@ impl Between<'_> {
         (is_stable && slabs.first()?.holds(&zero)).then(|| project(inner))
     }
 
-    /// Returns whether the other eigenvalue is proved to lie inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
+    /// Whether the other eigenvalue is proved to lie inside the unit circle for each member of a box: `e^(2m) < |mu|`. Lemma Y8
     fn is_dominant<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let (mu, p) = (&x[x.len() - 1], &x[x.len() - 2]);
         let q = determinant(&family.pair(p.clone()).restitution, self.ring.unknowns());
@@ -174,8 +174,8 @@ impl Between<'_> {
         is_positive(mu.clone().signed(sign) - q)
     }
 
-    /// Returns whether the assumptions of the lemma are proved for each member of a box of phases and a parameter: flights that take
-    /// time, to their first contacts, and `0 < e < 1`. Lemma Y8
+    /// Whether the assumptions of the lemma are proved for each member of a box of phases and a parameter: flights that take time, to their
+    /// first contacts, and `0 < e < 1`. Lemma Y8
     fn is_admissible<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N]) -> bool {
         let e = x.last().map(|p| family.pair(p.clone()).restitution);
         e.is_some_and(|e| is_positive(e.clone()) && is_positive(N::from_f64(1.0) - e))
@@ -183,7 +183,7 @@ impl Between<'_> {
             && self.is_physical(x)
     }
 
-    /// Returns whether it is proved that no orbit of a box has the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
+    /// Whether no orbit of a box is proved to have the eigenvalue `mu`, 1 or -1: `F'_mu` is regular. Lemma Y8
     fn excludes<N: Enclosing + PhaseNumber>(&self, family: &Family<OneHarmonic, N>, x: &[N], mu: f64) -> bool {
         let ring = self.ring;
         let centre: Vec<f64> = x.iter().map(|x| x.as_ball().mid()).collect();
@@ -198,7 +198,7 @@ impl Between<'_> {
         regular().unwrap_or(false) // exact: not proved
     }
 
-    /// Returns whether each flight of the orbits of a box of phases and a parameter is proved to end at its first contact. Lemma T5
+    /// Whether each flight of the orbits of a box of phases and a parameter is proved to end at its first contact. Lemma T5
     fn is_physical<N: Enclosing>(&self, x: &[N]) -> bool {
         let balls: Vec<Ball> = x.iter().map(Enclosing::as_ball).collect();
         let proved = || {
@@ -213,7 +213,7 @@ impl Between<'_> {
     }
 }
 
-/// Returns whether a value is proved to be positive.
+/// Whether a value is proved to be positive.
 fn is_positive<N: Enclosing>(x: N) -> bool {
     x.certain_sign() == Some(Ordering::Greater)
 }

@@ -41,7 +41,7 @@ pub(super) struct Branch {
 }
 
 impl Branch {
-    /// Returns the branch through a seed.
+    /// Branch through a seed, in floating point.
     pub fn through(seed: &WindowSeed, ring: &Ring, floats: &Family<OneHarmonic, f64>) -> Option<Self> {
         let q = determinant(&floats.pair(seed.parameter).restitution, ring.unknowns());
         // proposes: far from where both eigenvalues are one, sqrt(q)

@@ -38,7 +38,7 @@ struct Lead {
 /// Distance from a bifurcation at which the branch that leaves there is entered, in forcing periods; smaller where that fails.
 const ENTRY_DISTANCE: f64 = 1e-3;
 
-/// Room and speed that an orbit has at least for a branch to begin with it, in gaps and forcing periods: hops of no time are none.
+/// Least height in gap widths, and least speed in gap widths per forcing period, of an orbit that begins a branch: hops of no time are none.
 const MIN_ORBIT_SIZE: f64 = 1e-6;
 
 /// The survey as it goes on.
@@ -130,7 +130,7 @@ impl<S: Varied> Survey<'_, S> {
         }
     }
 
-    /// Returns whether an orbit lies on a path that was followed.
+    /// Whether an orbit lies on a path that was followed.
     fn is_followed(&self, ring: &Ring, x: &[f64]) -> bool {
         let p = x[x.len() - 1];
         let mut across = vec![0.0; x.len()];
@@ -151,7 +151,7 @@ impl<S: Varied> Survey<'_, S> {
         self.followed.iter().filter(|(its, _)| its == ring).any(|(_, path)| path.stations.windows(2).any(passes))
     }
 
-    /// Follows what there is to follow.
+    /// Follows all open leads.
     fn follow_leads(&mut self) {
         while let Some(lead) = self.leads.pop_front().filter(|_| self.watch.goes_on()) {
             if lead.leaves.is_some() && self.is_followed(&lead.ring, &lead.start.x) {
@@ -191,7 +191,7 @@ impl<S: Varied> Survey<'_, S> {
         }
     }
 
-    /// Proves what a path met, takes up what leaves it; how it ends, and the parameter at each change.
+    /// Proves the changes of a path, and takes up the branches that leave there. Returns the end of the path, and the parameter at each change.
     fn prove_changes(&mut self, lead: &Lead, path: &Path) -> (End, Vec<f64>) {
         let (mut last, mut met) = (None, Vec::new());
         for (change, x) in &path.changes {
@@ -284,7 +284,7 @@ impl<S: Varied> Survey<'_, S> {
     }
 }
 
-/// Returns the kind of bifurcation that a change of sign on a ring may be.
+/// Kind of bifurcation that a change of sign on a ring may be.
 fn kind_of(ring: &Ring, change: &Change) -> Kind {
     match change {
         Change::Turn => Kind::Fold,
@@ -294,7 +294,7 @@ fn kind_of(ring: &Ring, change: &Change) -> Kind {
     }
 }
 
-/// The half that a ring meets at `x`, and where.
+/// Half of a ring that the ring meets at `x`, and the phases and parameter there.
 fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
     let (p, phases) = x.split_last()?;
     let distance = |half: &Ring| {
@@ -307,7 +307,7 @@ fn half_of(ring: &Ring, x: &[f64]) -> Option<(Ring, Vec<f64>)> {
     Some((half, x))
 }
 
-/// Returns whether two points with one parameter show one orbit, or mirror images, up to the accuracy of doubles; `chain` is of their excitation.
+/// Whether two points with one parameter show one orbit, or mirror images, up to the accuracy of doubles; `chain` is of their excitation.
 fn is_same_orbit(chain: &Chain, one: &Point, other: &Point) -> bool {
     let phases = |point: &Point| -> Vec<f64> { point.impacts.iter().map(|impact| impact.phase.mid_rad().0).collect() };
     chain.another(&one.word, one.cycles).is_ok_and(|chain| is_same(&chain, &phases(one), &phases(other)))

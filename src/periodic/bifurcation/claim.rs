@@ -33,12 +33,12 @@ pub(super) struct Setting<'s, S> {
 }
 
 impl<S: Varied> Setting<'_, S> {
-    /// Returns the family in floating point.
+    /// The family in floating point.
     pub fn floats(&self) -> Family<S, f64> {
         Family { unknown: self.unknown, base: self.base.floats().clone() }
     }
 
-    /// Returns the family in doubles.
+    /// The family in doubles.
     pub fn doubles(&self) -> Family<S, Ball> {
         Family { unknown: self.unknown, base: self.base.balls().clone() }
     }
@@ -129,7 +129,7 @@ impl<S: Varied> Claim<'_, S> {
         }
     }
 
-    /// Proves the zero near a guess in an arithmetic of N bits; the largest domain that is tried has the radius `largest`.
+    /// Proves the zero near a guess in an arithmetic of `bits` bits; the largest domain that is tried has the radius `largest`.
     fn certify<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
@@ -144,7 +144,7 @@ impl<S: Varied> Claim<'_, S> {
         krawczyk::prove(&equations, inverse, &guess, effort)
     }
 
-    /// Returns the bifurcation at a proved zero; `None` where its orbit is not proved.
+    /// Bifurcation at a proved zero; `None` where its orbit is not proved.
     fn point<N: Enclosing + PhaseNumber>(
         &self,
         family: &Family<S, N>,
@@ -204,7 +204,7 @@ impl<S: Varied> Claim<'_, S> {
         })
     }
 
-    /// Returns whether the widths are those requested: the parameter's relative to itself.
+    /// Whether the widths are at most the requested ones, the parameter's relative to itself.
     fn is_narrow<N: Enclosing>(&self, at: &[N], speed: f64, velocities: &[N]) -> bool {
         // A radius is half of a width.
         let requested = self.precision.log2_width() - 1.0;

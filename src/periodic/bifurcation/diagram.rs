@@ -25,7 +25,7 @@ pub struct DiagramSettings {
 pub struct Unproved {
     /// The kind of bifurcation that it may be.
     pub kind: Kind,
-    /// Near which value of what [`Point::parameter`] encloses; nothing is certain about it.
+    /// Approximate value, in the units of [`Point::parameter`], near which the sign changes.
     pub near: f64,
     /// The word that was followed.
     pub word: Word,
@@ -40,7 +40,7 @@ pub enum End {
     At(Kind),
     /// Nowhere: it closes.
     Closed,
-    /// It could be followed no further.
+    /// The branch breaks off before the range ends.
     Lost,
     /// It was not followed further, at the caller's request.
     Interrupted,
@@ -55,7 +55,7 @@ pub struct Branch {
     pub cycles: u32,
     /// `true` if they are their own mirror images.
     pub symmetric: bool,
-    /// Least and greatest value of what [`Point::parameter`] encloses, about.
+    /// Approximate least and greatest value along the branch, in the units of [`Point::parameter`].
     pub range: [f64; 2],
     /// Its ends.
     pub ends: [End; 2],
@@ -78,36 +78,35 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// An empty one over a parameter.
+    /// An empty diagram over a parameter.
     pub(super) fn new(parameter: Parameter) -> Self {
         Self { parameter, points: Vec::new(), unproved: Vec::new(), branches: Vec::new(), interrupted: false }
     }
 
-    /// Returns the pair; the parameter's own value in it is not used.
+    /// The pair; the parameter's own value in this pair is not used.
     pub fn pair(&self) -> &ImpactPair {
         &self.parameter.pair
     }
 
-    /// Returns the parameter and its range.
+    /// The parameter and its range.
     pub fn over(&self) -> &Range {
         &self.parameter.over
     }
 
-    /// Returns the parameter of a point in the units of the scene, and the pair with it.
+    /// Encloses the parameter of a point in the units of the scene, and gives the pair with it.
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions.
+    /// If the value exceeds the range of exact expressions.
     pub fn in_units(&self, point: &Point) -> Result<(Enclosure, ImpactPair), Error> {
         self.parameter.in_units(&point.parameter, point.bits)
     }
 
-    /// About what these values without units are in the units of the scene, the smaller one first.
+    /// Approximate values in the units of the scene for these values without units, the smaller one first.
     pub fn range_f64(&self, ends: [f64; 2]) -> [f64; 2] {
         self.parameter.range_f64(ends)
     }
 
-    /// Returns whether each change of sign that was met is proved to be a bifurcation, to the requested width, and each branch was followed to
-    /// its end.
+    /// Whether each change of sign that was met is proved to be a bifurcation, to the requested width, and each branch was followed to its end.
     pub fn is_certified(&self) -> bool {
         let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);
         !self.interrupted

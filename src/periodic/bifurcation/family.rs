@@ -25,17 +25,16 @@ pub(super) enum Unknown {
 
 /// The excitation, as a parameter of it varies.
 pub(super) trait Varied: Chained {
-    /// Returns the excitation of a pair; `None` where it is of another kind, or beyond what exact expressions or doubles hold.
+    /// Excitation of a pair; `None` for an excitation of another kind, or beyond the range of exact expressions or doubles.
     fn of(pair: &ImpactPair) -> Option<Self>;
 
-    /// Returns whether none of what does not vary is an interval of values.
+    /// Whether none of the fixed parameters is an interval of values.
     fn is_point(&self, unknown: Unknown) -> bool;
 
-    /// The parameters at a value of the unknown. In `base`, where it is [`Unknown::Ratios`], stand the amplitudes over that of the
-    /// largest.
+    /// Parameters at a value of the unknown. For [`Unknown::Ratios`], `base` holds the amplitudes relative to the largest one.
     fn at<N: PhaseNumber>(base: &Self::In<N>, unknown: Unknown, value: N) -> Self::In<N>;
 
-    /// The same parameters with constants for jets.
+    /// The parameters as constants of jets.
     fn jets<N: PhaseNumber>(base: &Self::In<N>) -> Self::In<Jet<N>>;
 
     /// Phases inside a flight, which starts at one, at which it is as fast as the box, and how far that has moved by then, in order. By rounding
@@ -51,12 +50,12 @@ pub(super) struct Family<S: Varied, N: PhaseNumber> {
 }
 
 impl<S: Varied, N: PhaseNumber> Family<S, N> {
-    /// Returns the pair at a value of the unknown.
+    /// Parameters of the pair at a value of the unknown.
     pub fn pair(&self, value: N) -> S::In<N> {
         S::at(&self.base, self.unknown, value)
     }
 
-    /// Returns the same with constants for jets.
+    /// The family with its fixed parameters as constants of jets.
     pub fn jets(&self) -> Family<S, Jet<N>> {
         Family { unknown: self.unknown, base: S::jets(&self.base) }
     }

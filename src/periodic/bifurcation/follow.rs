@@ -49,7 +49,7 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// Returns the stations on the branch: at a change that ends it, the last one lies beyond.
+    /// Stations on the branch: at a change that ends the branch, the last station lies beyond and is left out.
     pub fn within(&self) -> &[Station] {
         &self.stations[..self.stations.len() - usize::from(self.stop == Stop::Change)]
     }
@@ -121,7 +121,7 @@ pub(super) fn follow<S: Varied>(
     path
 }
 
-/// A step along the branch, and the cosine of the angle it turns by.
+/// A step along the branch, and the cosine of the angle between the tangents at its ends.
 fn advance<S: Varied>(ring: &Ring, family: &Family<S, f64>, from: &Station, size: f64) -> Option<(Station, f64)> {
     let guess: Vec<f64> = from.x.iter().zip(&from.tangent).map(|(x, t)| size.mul_add(*t, *x)).collect();
     let x = correct(ring, family, &guess, &from.tangent)?;
@@ -142,7 +142,7 @@ fn at_parameter<S: Varied>(ring: &Ring, family: &Family<S, f64>, [a, b]: [&Stati
     Station::new(ring, family, x, &a.tangent)
 }
 
-/// Notes what changes sign between two stations; whether the branch ends there.
+/// Notes the changes of sign between two stations; true if the branch ends there.
 fn note<S: Varied>(
     ring: &Ring,
     family: &Family<S, f64>,
@@ -186,7 +186,7 @@ fn note<S: Varied>(
     false
 }
 
-/// Returns the station at which a test changes sign between two stations, by halving and secants.
+/// Station at which a test changes sign between two stations, by halving and secants.
 fn locate<S: Varied>(
     ring: &Ring,
     family: &Family<S, f64>,
@@ -211,7 +211,7 @@ fn locate<S: Varied>(
     if test(&a.tests).abs() < test(&b.tests).abs() { a } else { b }
 }
 
-/// Returns whether the way from one station to the next passes the first one.
+/// Whether the way from station `a` to station `b` passes the station `first`.
 fn is_back(first: &Station, a: &Station, b: &Station) -> bool {
     let chord: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| b - a).collect();
     let square: f64 = chord.iter().map(|c| c * c).sum();

@@ -16,12 +16,12 @@ pub struct Jet<N> {
 }
 
 impl<N: Number> Jet<N> {
-    /// Returns what does not vary.
+    /// Jet of a constant: slope 0.
     pub fn constant(value: N) -> Self {
         Self { value, slope: N::from_f64(0.0) }
     }
 
-    /// Returns what is varied.
+    /// Jet of the variable: slope 1.
     pub fn variable(value: N) -> Self {
         Self { value, slope: N::from_f64(1.0) }
     }

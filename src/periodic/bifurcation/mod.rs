@@ -1,10 +1,10 @@
 //! Bifurcations over a parameter, proved: equations (39), (40) and grazes, and the cascade of doublings.
 //!
-//! Floats follow each branch by pseudo-arclength (`follow`) and note where an eigenvalue passes 1 or -1 or a wall is
-//! touched; there the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero
-//! proved by Krawczyk's operator (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a
-//! symmetric orbit's pitchfork is the doubling of half its period. With several harmonics with a common period all that is the
-//! same (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y9 are in `docs/proofs/bifurcations.md#Y1`.
+//! Floating point follows each branch by pseudo-arclength (`follow`) and notes where an eigenvalue passes 1 or -1 or a wall is touched. There
+//! the extended system (`system`) with the parameter among its unknowns is solved (`solve`) and its zero proved by Krawczyk's operator
+//! (`claim`). At an eigenvalue -1 the branch that leaves is followed as well: a symmetric orbit's pitchfork is the doubling of half its period.
+//! Several harmonics with a common period are treated alike (`family`). The windows of stable orbits are proved in `window`. Lemmas Y1-Y9 are in
+//! `docs/proofs/bifurcations.md#Y1`.
 
 mod between;
 mod branch;

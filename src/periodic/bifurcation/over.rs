@@ -23,7 +23,7 @@ pub fn over(text: &str) -> Result<Range, Error> {
     Range::parse(text, &accepted(), is_followed)
 }
 
-/// What branches are followed over, in words.
+/// Accepted ranges, in words.
 fn accepted() -> String {
     format!("KEY=LO..HI with LO < HI, {PARAMETERS}")
 }
@@ -35,7 +35,7 @@ fn is_followed(range: &Range) -> bool {
 /// The keys that periodic orbits depend on, in words.
 pub const PARAMETERS: &str = "KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
 
-/// Returns whether periodic orbits depend on the key of a range.
+/// Whether periodic orbits depend on the key of a range.
 pub fn is_parameter(range: &Range) -> bool {
     matches!(range.key(), Key::Amplitude(_) | Key::Frequency(_) | Key::Gap | Key::Restitution)
 }
@@ -52,11 +52,11 @@ pub(super) struct Parameter {
 }
 
 impl Parameter {
-    /// Returns the parameter of a pair.
+    /// The parameter of a pair that a range varies.
     ///
     /// # Errors
-    /// If branches are not followed over the range, an end of it is not in that of the parameter, it is none of the pair, or no branch goes
-    /// on over it.
+    /// If branches are not followed over the range, an end of the range is no value of the parameter, the pair has no such parameter, or
+    /// no branch goes on over it.
     pub fn new(pair: &ImpactPair, over: &Range) -> Result<Self, Error> {
         if !is_followed(over) {
             return Err(Error::out_of_range(None, format!("the range is \"{over}\", but accepted is {}", accepted())));
@@ -78,7 +78,7 @@ impl Parameter {
         Ok(Self { pair: pair.clone(), over: over.clone(), unknown, others })
     }
 
-    /// Returns the key of the scene file that has it, or the list of its terms.
+    /// Key of the scene file that has the parameter, or the list of its terms.
     fn place(&self) -> &'static str {
         match self.over.key() {
             Key::Gap => "pair.gap",
@@ -87,15 +87,15 @@ impl Parameter {
         }
     }
 
-    /// Returns the pair at a value of the parameter.
+    /// The pair at a value of the parameter.
     ///
     /// # Errors
-    /// If the value is not in its range.
+    /// If the value is not in the parameter's range.
     pub fn pair_at(&self, value: Exact) -> Result<ImpactPair, Error> {
         self.pair.with(self.over.key(), value)
     }
 
-    /// Returns a pair that has all but the quantity that varies, expressed as [`Varied::at`](super::family::Varied::at) takes it.
+    /// Pair with all parameters that do not vary, as [`Varied::at`](super::family::Varied::at) takes them.
     ///
     /// # Errors
     /// If the amplitude of the largest of several harmonics may be 0.
@@ -105,17 +105,17 @@ impl Parameter {
         self.pair_at(value.clone())
     }
 
-    /// The largest amplitude, about.
+    /// The largest amplitude, by approximate values.
     fn largest(&self) -> &Exact {
         let size = |x: &Exact| x.enclose(64).mid_rad().0;
         let amplitudes = self.pair.excitation().harmonics().iter().map(Harmonic::amplitude);
         amplitudes.max_by(|a, b| size(a).total_cmp(&size(b))).expect("an excitation has a term")
     }
 
-    /// Returns the quantity without units that varies, at a value of the parameter.
+    /// Value of the quantity without units that varies, at a value of the parameter.
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions.
+    /// If the value exceeds the range of exact expressions.
     pub fn without_units(&self, value: &Exact) -> Result<Exact, Error> {
         let ratio = || match (self.over.key(), &self.others) {
             (Key::Amplitude(_), None) => value.checked_div(self.pair.gap()),
@@ -126,10 +126,10 @@ impl Parameter {
         within(self.place(), value, ratio())
     }
 
-    /// Returns the parameter from the quantity without units, within the bounds that the ends of a ball give, and the pair with it.
+    /// Encloses the parameter, given a ball of the quantity without units, and gives the pair with it.
     ///
     /// # Errors
-    /// If it exceeds the range of exact expressions, or is not in its range.
+    /// If the value exceeds the range of exact expressions, or is not in the parameter's range.
     pub fn in_units(&self, ratio: &Enclosure, bits: u32) -> Result<(Enclosure, ImpactPair), Error> {
         let value = |ratio: &Exact| -> Result<Exact, ExactError> {
             match (self.over.key(), &self.others) {
@@ -149,18 +149,18 @@ impl Parameter {
         Ok((hull, self.pair_at(all?)?))
     }
 
-    /// Returns the quantity without units that varies, in doubles.
+    /// Value of the quantity without units that varies, in doubles.
     ///
     /// # Errors
-    /// If it is beyond doubles.
+    /// If the value is beyond doubles.
     pub fn in_doubles(&self, value: &Exact) -> Result<f64, Error> {
         Ok(ball(self.place(), &self.without_units(value)?)?.mid())
     }
 
-    /// Returns the ends of the range without units, in doubles, the smaller one first.
+    /// Ends of the range without units, in doubles, the smaller one first.
     ///
     /// # Errors
-    /// If one is beyond doubles.
+    /// If an end is beyond doubles.
     pub fn ends(&self) -> Result<[f64; 2], Error> {
         let (a, b) = (self.in_doubles(self.over.low())?, self.in_doubles(self.over.high())?);
         Ok([a.min(b), a.max(b)]) // proposes

@@ -7,7 +7,7 @@ use crate::mapping::Word;
 /// The kinds of bifurcation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kind {
-    /// It turns back: (40) with a quadratic turning point.
+    /// The branch has a quadratic turning point: (40).
     Fold,
     /// A symmetric orbit becomes two that are mirror images: (40) by an eigenvalue -1 of half the period.
     Pitchfork,
@@ -19,7 +19,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Returns the word of the bifurcation JSON.
+    /// Name of the kind in the bifurcation JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fold => "fold",
@@ -48,7 +48,7 @@ pub struct Point {
     pub impacts: Vec<PeriodicImpact>,
     /// `Some(true)`: the orbit is its own mirror image; `Some(false)`: it is not; `None`: undecided.
     pub symmetric: Option<bool>,
-    /// The rest about it; `None` where an impact is the graze, whose Jacobian (A.7) has no bound.
+    /// All other properties of the orbit; `None` where an impact is the graze, whose Jacobian (A.7) has no bound.
     pub orbit: Option<PeriodicOrbit>,
     /// Doublings of the requested word's branch up to this point's.
     pub doublings: u32,
@@ -61,7 +61,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Returns whether all its claims are proved; at a graze only its existence.
+    /// Whether all claims about the point are proved; at a graze only its existence.
     pub fn is_decided(&self) -> bool {
         self.kind == Kind::Graze || self.orbit.as_ref().is_some_and(|orbit| orbit.physical.is_some())
     }

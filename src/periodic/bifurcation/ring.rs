@@ -17,12 +17,12 @@ pub(super) struct Ring {
 }
 
 impl Ring {
-    /// Returns all orbits of a chain.
+    /// All orbits of a chain.
     pub fn whole(chain: Chain) -> Self {
         Self { unknowns: chain.impacts(), chain }
     }
 
-    /// Returns the symmetric orbits of a chain, where it can have some.
+    /// Symmetric orbits of a chain; `None` where the chain has none.
     pub fn mirrored(chain: &Chain) -> Option<Self> {
         let (walls, half) = (chain.walls(), chain.impacts() / 2);
         let folds = chain.impacts() == 2 * half && (0..half).all(|i| walls[i + half] == walls[i].other());
@@ -31,7 +31,7 @@ impl Ring {
             .then(|| Self { chain: chain.clone(), unknowns: half })
     }
 
-    /// Returns the chain that this one runs through that number of times.
+    /// Orbits of the chain that `chain` runs through `times` times.
     pub fn repeated(chain: &Chain, times: usize) -> Option<Self> {
         let (walls, part) = (chain.walls(), chain.impacts() / times);
         let is_round = |round: &[Wall]| *round == walls[..part];
@@ -40,7 +40,7 @@ impl Ring {
         chain.another(&word_of(&walls[..part])?, chain.cycles() / rounds).ok().map(Self::whole)
     }
 
-    /// Returns where the branch that leaves at an eigenvalue -1 lives: all the orbits of the chain, or of it run through twice.
+    /// Ring of the branch that leaves at an eigenvalue -1: all orbits of the chain, or of the chain run through twice.
     pub fn doubled(&self) -> Option<Self> {
         if self.is_mirrored() {
             return Some(Self::whole(self.chain.clone()));
@@ -49,35 +49,35 @@ impl Ring {
         self.chain.another(&word_of(&walls)?, self.chain.cycles().checked_mul(2)?).ok().map(Self::whole)
     }
 
-    /// Returns the rings whose doubled one this may be.
+    /// Rings whose doubled ring this one may be.
     pub fn halves(&self) -> impl Iterator<Item = Self> {
         let whole = !self.is_mirrored();
         [Self::mirrored(&self.chain), Self::repeated(&self.chain, 2)].into_iter().flatten().filter(move |_| whole)
     }
 
-    /// Returns the rings that hold some of its orbits with fewer unknowns: those that it runs through several times, then its mirrored half.
+    /// Rings that hold some orbits of this ring with fewer unknowns: those that it runs through several times, then its mirrored half.
     pub fn parts(&self) -> impl Iterator<Item = Self> {
         let whole = !self.is_mirrored();
         let repeated = (2..=self.chain.impacts()).filter_map(|times| Self::repeated(&self.chain, times));
         repeated.chain(Self::mirrored(&self.chain)).filter(move |_| whole)
     }
 
-    /// Returns all impacts.
+    /// Chain of all impacts.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// Returns how many phases are unknown.
+    /// Number of unknown phases.
     pub fn unknowns(&self) -> usize {
         self.unknowns
     }
 
-    /// Returns whether it holds symmetric orbits only.
+    /// Whether the ring holds symmetric orbits only.
     pub fn is_mirrored(&self) -> bool {
         self.unknowns < self.chain.impacts()
     }
 
-    /// Returns the word of the chain.
+    /// Word of the chain.
     pub fn word(&self) -> Word {
         word_of(self.chain.walls()).expect("the walls of a chain chain")
     }
@@ -87,13 +87,13 @@ impl Ring {
         f64::from(self.chain.cycles()) * self.unknowns as f64 / self.chain.impacts() as f64 // Y1: N or N/2, exact
     }
 
-    /// Returns the phases of all impacts.
+    /// Phases of all impacts, given the unknown ones.
     pub fn lift<N: Number>(&self, phases: &[N]) -> Vec<N> {
         let later = |i: usize| N::from_f64((i / self.unknowns) as f64 * self.turns()); // Y1: 0 or 1, exact
         (0..self.chain.impacts()).map(|i| phases[i % self.unknowns].clone() + later(i)).collect()
     }
 
-    /// Returns all flights.
+    /// All flights of the chain, given the unknown phases.
     pub fn legs<N: Number, B: Shaking<N>>(&self, shaking: &B, phases: &[N]) -> Option<Legs<N, B::Moment>> {
         self.chain.legs(shaking, &self.lift(phases))
     }
@@ -111,7 +111,7 @@ impl Ring {
         self.continued(slopes, w, ends)
     }
 
-    /// The derivatives of `F` along `w`, given what it is before its first and after its last impact. Lemmas Y2, Y8
+    /// Derivatives of `F` along `w`, given the values of `w` before the first and after the last impact. Lemmas Y2, Y8
     pub fn continued<N: Number>(&self, slopes: &Slopes<N>, w: &[N], [first, last]: [N; 2]) -> Vec<N> {
         let row = |i: usize| {
             let [before, own, after] = slopes.0[i].clone();
@@ -122,14 +122,14 @@ impl Ring {
         (0..self.unknowns).map(row).collect()
     }
 
-    /// The trace of the derivative of the ring's return map: of the period's, or of half of it followed by the mirror.
+    /// Trace of the derivative of the ring's return map: of the period, or of half a period followed by the mirror.
     pub fn trace<N: Number, B: Shaking<N>>(&self, shaking: &B, legs: &Legs<N, B::Moment>) -> Option<N> {
         let [[a, _], [_, d]] = self.chain.monodromy_of(shaking, legs, self.unknowns)?;
         Some(if self.is_mirrored() { a - d } else { a + d })
     }
 }
 
-/// The word that touches these walls in turn.
+/// Word of impacts on these walls, one after the other.
 fn word_of(walls: &[Wall]) -> Option<Word> {
     let next = walls.iter().cycle().skip(1);
     Word::new(walls.iter().zip(next).map(|(&a, &b)| Mapping::between(a, b)).collect()).ok()
@@ -154,7 +154,7 @@ mod tests {
         assert_eq!(Ring::whole(chain("RL", 1)).doubled(), Some(Ring::whole(chain("RLRL", 2))));
     }
 
-    /// Harmonics 1 and 2 have no mirror; 1 and 3 have one half of their three forcing periods later.
+    /// Harmonics 1 and 2 have no mirror; 1 and 3 have a mirror half of their three forcing periods later.
     #[test]
     fn only_odd_harmonics_fold_and_halves_are_whole_periods() {
         let under = |turns, is_odd, word: &str, cycles| {

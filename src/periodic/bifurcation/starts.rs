@@ -16,7 +16,7 @@ use impact_pair_model::Start;
 
 /// Values of the parameter at which orbits are looked for, less one.
 const INTERVALS: u32 = 6;
-/// Phases that differ less are taken for the same, in forcing periods.
+/// Difference in forcing periods below which two phases count as equal.
 const SAME_PHASE: f64 = 1e-7;
 
 /// An orbit in floating point: its ring, its phases and its parameter.
@@ -84,7 +84,7 @@ fn fold(ring: Ring, x: Vec<f64>) -> Seed {
     }
 }
 
-/// Returns whether both are one orbit or mirror images, from whichever impact on. The chain of `one` may be the half of that of `other`.
+/// Whether two orbits are one or mirror images, from whichever impact on. The chain of `one` may be half of the chain of `other`.
 pub(super) fn is_same(chain: &Chain, one: &[f64], other: &[f64]) -> bool {
     let doubled: Vec<f64>;
     let one = if one.len() < other.len() && other.len().is_multiple_of(one.len()) {

@@ -128,20 +128,20 @@ pub(super) fn twisted_matrix<S: Varied, N: PhaseNumber>(
 }
 
 impl Station {
-    /// Returns the station at `x`.
+    /// Station at `x`.
     pub fn new<S: Varied>(ring: &Ring, family: &Family<S, f64>, x: Vec<f64>, along: &[f64]) -> Option<Self> {
         let tangent = tangent(ring, family, &x, along)?;
         let tests = Tests::new(ring, family, &x, &tangent)?;
         Some(Self { x, tangent, tests })
     }
 
-    /// Returns the same with the other tangent.
+    /// The station with the opposite tangent.
     pub fn reversed(&self) -> Self {
         let tests = Tests { turn: -self.tests.turn, ..self.tests };
         Self { x: self.x.clone(), tangent: self.tangent.iter().map(|t| -t).collect(), tests }
     }
 
-    /// Returns the parameter.
+    /// Value of the parameter.
     pub fn parameter(&self) -> f64 {
         self.x[self.x.len() - 1]
     }

@@ -11,7 +11,7 @@ use crate::number::{Ball, Enclosing};
 use crate::several::PhaseNumber;
 use crate::watch::Watch;
 
-/// A curve whose slabs are proved, and what its proofs take.
+/// Curve whose slabs are proved, and the settings of the proofs.
 pub(super) struct SlabChain<'t, S: Varied, N: PhaseNumber> {
     /// One equation fewer than unknowns.
     pub curve: &'t System<'t>,
@@ -88,7 +88,7 @@ pub(super) struct Proof<N> {
 }
 
 impl<N: Enclosing + PhaseNumber> Proof<N> {
-    /// Returns whether points of the curve are proved to lie in the proved part of the slab: then they are on its curve.
+    /// Whether points of the curve are proved to lie in the proved part of the slab: then they are on its curve.
     pub fn holds(&self, points: &[N]) -> bool {
         let add = |sum: N, ((a, c), x): ((&f64, &f64), &N)| N::from_f64(*a).mul_add(x.clone() - N::from_f64(*c), sum);
         let t = self.along.iter().zip(&self.base).zip(points).fold(N::from_f64(0.0), add);
@@ -194,7 +194,7 @@ impl<S: Varied, N: Enclosing + PhaseNumber> SlabChain<'_, S, N> {
 /// Radii added to boxes of the slabs of a branch in doubles.
 const PAD: f64 = 1e-12;
 
-/// Returns whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops it. Lemma Y6
+/// Whether the stations' branch is proved to be one curve of orbits, each the only one near it, unless the watch stops the proof. Lemma Y6
 pub(super) fn is_one_curve<S: Varied>(
     ring: &Ring,
     (floats, family): (&Family<S, f64>, &Family<S, Ball>),
@@ -216,7 +216,7 @@ pub(super) fn is_one_curve<S: Varied>(
     tube.follow(&stations).is_some()
 }
 
-/// Returns whether all flights over a box of phases and a parameter are proved to take time.
+/// Whether all flights over a box of phases and a parameter are proved to take time.
 pub(super) fn take_time<S: Varied, N: Enclosing + PhaseNumber>(ring: &Ring, family: &Family<S, N>, x: &[N]) -> bool {
     let flown = || {
         let (p, phases) = x.split_last()?;

@@ -51,7 +51,7 @@ pub enum NoWindow {
 }
 
 impl NoWindow {
-    /// Returns it in words.
+    /// The reason in words, for messages.
     pub fn reason(self) -> &'static str {
         match self {
             Self::Seed => "no periodic orbit has its walls and takes its number of forcing periods",
@@ -84,7 +84,7 @@ pub struct Window {
 }
 
 impl Window {
-    /// Proves the stable orbit near a seed and its window, or says why no stable orbit is proved. Lemmas Y8, Y9
+    /// Proves the stable orbit near a seed and its window, or gives the reason why no stable orbit is proved. Lemmas Y8, Y9
     ///
     /// # Errors
     /// With several harmonics, if the range is not one of the parameter's, or a value exceeds the range of exact expressions.
@@ -123,7 +123,7 @@ impl Window {
         Proving { setting, ring: &ring, precision, watch }.window(seed)
     }
 
-    /// Returns whether all is proved: the orbit with its stability, both ends, and the orbits between.
+    /// Whether all is proved: the orbit with its stability, both ends, and the orbits between.
     pub fn is_certified(&self) -> bool {
         self.is_stable_between
             && self.ends.iter().all(Option::is_some)
@@ -131,7 +131,7 @@ impl Window {
             && self.orbit.is_narrow
     }
 
-    /// Returns how wide the window is, about; `None` where an end is not proved.
+    /// Approximate width of the window, in units of the parameter; `None` where an end is not proved.
     pub fn width(&self) -> Option<f64> {
         let [from, to] = [self.ends[0].as_ref()?, self.ends[1].as_ref()?];
         Some(to.parameter.sub(&from.parameter, 64).mid_rad().0)

@@ -13,7 +13,7 @@ use crate::shaken::{Flying, OneHarmonic};
 
 /// The operations on a pair in balls of any precision that proofs of its chains need.
 pub(in super::super) trait ChainedPrecisely: Flying {
-    /// Returns whether each flight is proved to end at its first contact, where doubles leave it open. Lemma T5
+    /// Whether each flight is proved to end at its first contact, where doubles leave that open. Lemma T5
     fn is_physical_precisely(
         &self,
         shaking: &Self::In<MpBall>,
@@ -35,7 +35,7 @@ impl ChainedPrecisely for OneHarmonic {
     }
 }
 
-/// Returns whether the first contact of a flight is its end; `None` if undecided. Lemma T5
+/// Whether the first contact of a flight is its end; `None` if undecided. Lemma T5
 fn is_first_in_balls(bounds_of_pair: &PairBounds, pair: &Reduced<MpBall>, claim: &Claim<MpBall>) -> Option<bool> {
     if !claim.arrives()? {
         return Some(false);

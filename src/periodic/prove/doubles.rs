@@ -5,7 +5,7 @@ use super::super::orbit::PeriodicOrbit;
 use super::super::{Precision, Problem};
 
 impl Problem {
-    /// Returns the orbit that doubles prove.
+    /// Gives back the orbit that doubles prove, if any.
     pub(super) fn prove_precisely<S: Chained>(
         &self,
         _: &S,
@@ -17,7 +17,7 @@ impl Problem {
         best
     }
 
-    /// Returns whether a guess settles on a known orbit in more than doubles: none does.
+    /// Whether a guess settles on a known orbit in more than doubles: `false`, as this build has doubles only.
     pub(in super::super) fn settles_on_known<S: Chained>(&self, _: &S, _: &[f64], _: &[PeriodicOrbit]) -> bool {
         false
     }

@@ -13,11 +13,11 @@ use crate::exact::working_bits;
 use crate::number::{Enclosing, MpBall};
 use crate::shaken::Either;
 
-/// Bits that what is not about widths (stability, first contacts) is tried with at most.
+/// Greatest number of bits for the properties that do not depend on widths: stability and first contacts.
 const DECIDING_BITS: u32 = 1024;
 
 impl Problem {
-    /// No interval among the parameters: more precision narrows.
+    /// Whether no parameter is an interval: then more precision narrows.
     fn is_point(&self) -> bool {
         match &self.shaken {
             Either::One(one) => one.is_point(),
@@ -25,7 +25,7 @@ impl Problem {
         }
     }
 
-    /// The same in balls of rising precision; what is known already is `best`.
+    /// Proves an orbit in balls of rising precision; `best` is the orbit proved so far.
     pub(super) fn prove_precisely<S: Chained>(
         &self,
         shaken: &S,
@@ -67,8 +67,8 @@ impl Problem {
         best
     }
 
-    /// Returns whether a guess, polished in more than doubles, lies where a known orbit is the only one: asked where an orbit is known
-    /// that doubles did not prove, near a bifurcation, to which Newton's iteration in floating point comes no nearer than to many points.
+    /// Whether a guess, polished in more than doubles, lies where a known orbit is the only one. Only asked where a known orbit near a
+    /// bifurcation is not proved in doubles: Newton's iteration in floating point then ends at many points.
     pub(in super::super) fn settles_on_known<S: Chained>(
         &self,
         shaken: &S,
@@ -87,7 +87,7 @@ impl Problem {
         is_precise && settled().is_some_and(|guess| self.is_known(&guess, known))
     }
 
-    /// A guess in N bits after some steps; nothing is proved.
+    /// Guess after `steps` steps in `bits` bits; nothing is proved.
     fn polish_precisely<B: Shaking<MpBall>>(
         &self,
         shaking: &B,

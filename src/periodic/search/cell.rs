@@ -15,13 +15,13 @@ use crate::periodic::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::periodic::{Precision, Problem};
 use crate::watch::Watch;
 
-/// Boxes as narrow as that, in forcing periods, are tested for a near orbit.
+/// Width in forcing periods below which boxes are tested for a near orbit.
 const KNOWN_ORBIT_WIDTH: f64 = 1.0 / 16.0;
 /// The least part of a box that Newton's equation takes off for the box to be cut again.
 const MIN_GAIN: f64 = 0.3;
 /// Parts left undecided at which a cell is given up: there is a continuum of orbits, or nearly one.
 const MOST_UNDECIDED: usize = 64;
-/// A box is halved at the phase that the equations determine least if that is as wide as that, relative to the widest.
+/// Relative to the widest phase: least width of the phase that the equations determine least, for a box to be halved there.
 const RELATIVE_WIDTH: f64 = 0.5;
 
 /// The problem of a search, and its settings.
@@ -30,11 +30,11 @@ pub(super) struct Task<'p, S> {
     pub shaken: &'p S,
     pub terms: Terms<'p>,
     pub precision: Precision,
-    /// The width below which a box is not halved, in forcing periods.
+    /// Width below which a box is not halved, in forcing periods.
     pub narrowest: f64,
     /// Orbits known before.
     pub known: &'p [PeriodicOrbit],
-    /// Asked whether the search goes on.
+    /// May stop the search.
     pub watch: &'p dyn Watch,
 }
 
@@ -47,12 +47,12 @@ pub(super) struct Cell<'t, 'p, S> {
     pub left: u64,
     /// Parts that are not searched yet, the next one last; none before the cell is begun.
     open: Option<Vec<Part>>,
-    /// The orbits found that were not known before, those that belong to no motion included.
+    /// Orbits found that were not known before, virtual ones included.
     pub found: Vec<PeriodicOrbit>,
     undecided: Vec<Region>,
 }
 
-/// A box cut by all that is known.
+/// A box cut by all equations.
 pub(super) struct Narrow {
     pub part: Part,
     rows: Rows,
@@ -66,7 +66,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         Self { task, terms: &task.terms, first, left: 0, open: None, found, undecided }
     }
 
-    /// Returns the part of the state space that the cell is.
+    /// The part of the state space that the cell covers.
     pub fn all(&self) -> Part {
         self.terms.all(self.first)
     }
@@ -78,7 +78,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         looks
     }
 
-    /// Returns whether nothing is left to search, or the rest is given up.
+    /// Whether nothing is left to search, or the rest is given up.
     pub fn is_done(&self) -> bool {
         self.undecided.len() >= MOST_UNDECIDED || self.open.as_ref().is_some_and(Vec::is_empty)
     }
@@ -104,7 +104,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         self.open = Some(open);
     }
 
-    /// Returns what the search leaves undecided.
+    /// Regions that the search leaves undecided.
     pub fn undecided(&self) -> Vec<Region> {
         let all = [self.all()];
         let open = self.open.as_deref().unwrap_or(&all); // T10: nothing of it is searched
@@ -112,7 +112,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         self.undecided.iter().cloned().chain(open).collect()
     }
 
-    /// Cuts a part by all that is known of a stretch; `None` when nothing is left.
+    /// Cuts a part by all equations of a stretch; `None` when nothing is left.
     pub fn narrow(&self, part: Part, stretch: &Stretch) -> Option<Narrow> {
         let (terms, shaking) = (self.terms, self.task.shaken.balls());
         let all = terms.chain.impacts();
@@ -133,7 +133,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         }
     }
 
-    /// Returns whether the part lies where a known orbit is the only one; if none is known and `looks` is set, an orbit is searched for first.
+    /// Whether a known orbit is the only one in the part; if none is known and `looks` is set, an orbit is searched for first.
     fn is_known(&mut self, part: &Part, looks: bool) -> bool {
         let balls: Vec<Ball> = part.phases.iter().map(|&x| x.into()).collect();
         let whole = Proved { domain: balls.clone(), at: balls };
@@ -151,7 +151,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         is_known
     }
 
-    /// An orbit in or beside the part that Newton's iteration leads to, proved, and whether it is known.
+    /// Proves the orbit in or beside the part that Newton's iteration leads to; also whether the orbit is known.
     fn orbit_near(&self, part: &Part) -> Option<(PeriodicOrbit, Identity)> {
         let (chain, floats) = (&self.task.problem.chain, self.task.shaken.floats());
         let phases = polish(chain, floats, part.centre())?;
@@ -163,7 +163,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         self.task.problem.prove_beside(&phases, self.task.precision, known)
     }
 
-    /// Returns the region of a part that stays undecided.
+    /// Region of a part that stays undecided.
     fn region(&self, part: &Part, reason: Reason) -> Region {
         let chain = self.terms.chain;
         let enclosure = |x: Interval| Enclosure::from_f64_bounds(x.inf(), x.sup()).expect("finite intervals");
@@ -176,7 +176,7 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
     }
 }
 
-/// Both halves of a part: across the phase that the equations determine least or, if that is narrow, depend on most.
+/// Halves of a part: cut at the phase that the equations determine least or, if that phase is narrow, depend on most.
 fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
     let weights = rows.weights(part.phases.len());
     let weight = |j: &usize| weights[*j] * part.phases[*j].wid();

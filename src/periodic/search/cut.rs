@@ -33,13 +33,13 @@ pub(super) struct Terms<'c> {
     crossing: f64,
 }
 
-/// A harmonic of the shaking. Lemma H14
+/// A harmonic of the excitation. Lemma H14
 #[derive(Clone, Copy, Debug)]
 struct Harmonic {
     beta: Interval,
     /// `(1 + e) 2 pi r beta`
     acceleration: Interval,
-    /// `r` and `s`: its phase is `r u + s`; none of the one that forcing periods are counted of.
+    /// `r` and `s`: the harmonic's phase is `r u + s`; `None` for the harmonic whose periods are the forcing periods.
     own: Option<[Interval; 2]>,
 }
 
@@ -52,12 +52,12 @@ impl Harmonic {
         Self { acceleration: harmonic.rate(harmonic.acceleration), ..harmonic }
     }
 
-    /// Its phase.
+    /// Phase of the harmonic.
     fn phase(&self, phase: Interval) -> Interval {
         self.own.map_or(phase, |[ratio, shift]| ratio * phase + shift)
     }
 
-    /// A number of its own forcing periods, or a rate in them.
+    /// Converts a number of forcing periods, or a rate in them, into the harmonic's own periods.
     fn rate(&self, time: Interval) -> Interval {
         self.own.map_or(time, |[ratio, _]| {
             let own = ratio * time;
@@ -66,17 +66,17 @@ impl Harmonic {
         })
     }
 
-    /// Its velocity.
+    /// Velocity of the harmonic.
     fn speed(&self, phase: Interval) -> Interval {
         self.beta * self.phase(phase).cos()
     }
 
-    /// Its mean velocity over a time around a phase.
+    /// Mean velocity of the harmonic over a time around a phase.
     fn mean(&self, time: Interval, middle: Interval) -> Interval {
         self.beta * self.rate(time).sinc() * self.phase(middle).cos()
     }
 
-    /// Returns its terms in `-w/h` and `-v/h` of a hop. Lemma T9
+    /// Terms of the harmonic in `-w/h` and `-v/h` of a hop. Lemma T9
     fn hop(&self, time: Interval, middle: Interval) -> [Interval; 2] {
         let (time, middle) = (self.rate(time), self.phase(middle));
         let quarter = time.scaled(0.25);
@@ -86,7 +86,7 @@ impl Harmonic {
     }
 }
 
-/// A box of phases, with what is known of its flights and impacts.
+/// A box of phases, with bounds of its flights and impacts.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub phases: Vec<Interval>,
@@ -101,7 +101,7 @@ pub(super) struct Part {
 const ALL: Interval = Interval::new(f64::MIN, f64::MAX);
 /// Fractions of a flight at which the ball has to be in the gap.
 const FLIGHT_FRACTIONS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
-/// The least part of a box that a pass takes off for another one to be made.
+/// Least relative gain of a pass for another pass to be made.
 const MIN_GAIN: f64 = 0.1;
 
 impl<'c> Terms<'c> {
@@ -127,18 +127,18 @@ impl<'c> Terms<'c> {
         Self { chain, beta, harmonics, restitution, lossy, drift, crossing }
     }
 
-    /// Returns how wide intervals among the parameters are, relative to `A/d`: boxes much narrower say no more.
+    /// Width of intervals among the parameters, relative to `A/d`: much narrower boxes add nothing.
     pub fn spread(&self) -> f64 {
         let relative = self.beta.wid() / self.beta.sup().max(f64::MIN_POSITIVE); // proposes: when to stop
         relative.max(self.restitution.wid()) // proposes
     }
 
-    /// Returns the sum of a function over all harmonics; `None` if there are none.
+    /// Sum of a function over all harmonics; `None` if there are none.
     fn sum(harmonics: &[Harmonic], of: impl Fn(&Harmonic) -> Interval) -> Option<Interval> {
         harmonics.iter().map(of).reduce(|a, b| a + b)
     }
 
-    /// Returns the velocity of the box over these phases.
+    /// Velocity of the box over these phases.
     pub fn speed(&self, phase: Interval) -> Interval {
         Self::sum(&self.harmonics, |harmonic| harmonic.speed(phase)).expect("a harmonic")
     }
@@ -153,13 +153,13 @@ impl<'c> Terms<'c> {
         Self::sum(&self.harmonics, |harmonic| harmonic.mean(time, middle)).expect("a harmonic")
     }
 
-    /// Returns all flights and impacts.
+    /// All flights and impacts of the chain.
     pub fn whole(&self) -> Stretch {
         let count = self.chain.impacts();
         Stretch { flights: 0..count, impacts: 0..count }
     }
 
-    /// Returns the part of the state space with the first impact in `first`. T8
+    /// Part of the state space with the first impact in `first`. T8
     pub fn all(&self, first: Interval) -> Part {
         let count = self.chain.impacts();
         let reach = f64::from(self.chain.period()) + f64::from(self.chain.cycles());
@@ -173,7 +173,7 @@ impl<'c> Terms<'c> {
         }
     }
 
-    /// Cuts the part while that is worth it; `None` when nothing is left.
+    /// Cuts the part until a pass gains little; `None` when nothing is left.
     pub fn cut(&self, mut part: Part, stretch: &Stretch) -> Option<Part> {
         loop {
             let before = part.size();
@@ -241,7 +241,7 @@ impl<'c> Terms<'c> {
         narrower(narrower((phases[i] + end).scaled(0.5), phases[i] + half), end - half)
     }
 
-    /// Returns what is added to the phase that flight `i` ends at: the period, once around.
+    /// Forcing periods that are added to the phase at the end of flight `i`: the chain's cycles for the last flight, else 0.
     pub fn shift(&self, i: usize) -> Interval {
         Interval::point(if self.chain.next(i) == 0 { f64::from(self.chain.cycles()) } else { 0.0 })
     }
@@ -267,7 +267,7 @@ impl<'c> Terms<'c> {
         [0, 1].map(|end| ratios[end].intersection(hop[end]).unwrap_or(hop[end])) // T9: the second holds it anyway
     }
 
-    /// Newton's impact law and the directions before and after it.
+    /// Cuts by Newton's impact law and by the directions before and after the impact.
     fn cut_impact(&self, part: &mut Part, i: usize) -> Option<()> {
         let p = self.chain.previous(i);
         let mut speed = part.speeds[i].intersection(self.speed(part.phases[i]))?;
@@ -293,7 +293,7 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// The signs of `w_i/h_i` and `v_{i+1}/h_i`, positive away from the walls: a hop of no time has them, too.
+    /// Cuts by the signs of `w_i/h_i` and `v_{i+1}/h_i`, positive away from the walls; hops of no time have these signs, too.
     fn cut_ratios(&self, part: &Part, i: usize) -> Option<()> {
         let [after, before] = self.ratios(&part.phases, i, part.times[i]);
         let [from, to] = [i, self.chain.next(i)].map(|impact| self.chain.walls()[impact].sign());
@@ -302,7 +302,7 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// The ball is in the gap on its way: `D` so far is `g (c - beta S(g) cos 2 pi(u + g/2))` after a time `g`.
+    /// The ball is in the gap on its way: its displacement is `g (c - beta S(g) cos 2 pi(u + g/2))` after a time `g`.
     fn look(&self, part: &Part, i: usize) -> Option<()> {
         let wall = self.chain.walls()[i];
         for fraction in FLIGHT_FRACTIONS {
@@ -315,7 +315,7 @@ impl<'c> Terms<'c> {
     }
 }
 
-/// Cuts with what is known, if anything is.
+/// Intersection with `known`, if there is one.
 fn cut_if(x: Interval, known: Option<Interval>) -> Option<Interval> {
     known.map_or(Some(x), |known| x.intersection(known))
 }
@@ -327,29 +327,29 @@ fn in_order(a: Interval, b: Interval, c: Interval) -> Option<(Interval, Interval
 }
 
 impl Part {
-    /// Returns how much there is: the sum of the widths of the phases and times.
+    /// Sum of the widths of the phases and times.
     pub fn size(&self) -> f64 {
         self.phases.iter().chain(&self.times).map(|x| x.wid()).sum()
     }
 
-    /// Returns whether it overlaps another part at these impacts.
+    /// Whether this part overlaps another part at these impacts.
     pub fn touches(&self, other: &Self, impacts: &Range<usize>) -> bool {
         impacts.clone().all(|i| self.phases[i].intersection(other.phases[i]).is_some())
     }
 
-    /// All that is known of a flight or an impact, of two parts.
+    /// Pairs of the bounds of two parts, flight by flight and impact by impact.
     fn pairs<'p>(&'p mut self, other: &'p Self) -> impl Iterator<Item = (&'p mut Interval, Interval)> {
         let mine = [&mut self.phases, &mut self.times, &mut self.drifts, &mut self.speeds];
         let its = [&other.phases, &other.times, &other.drifts, &other.speeds];
         mine.into_iter().flatten().zip(its.into_iter().flatten().copied())
     }
 
-    /// Becomes one part that holds another one, too.
+    /// Extends this part to the hull of itself and another part.
     pub fn add(&mut self, other: &Self) {
         self.pairs(other).for_each(|(x, y)| *x = x.hull(y));
     }
 
-    /// Returns what lies in both.
+    /// Intersection of two parts; `None` if empty.
     pub fn both(&self, other: &Self) -> Option<Self> {
         let mut both = self.clone();
         for (x, y) in both.pairs(other) {
@@ -358,12 +358,12 @@ impl Part {
         Some(both)
     }
 
-    /// Returns a point inside, about the middle.
+    /// Middle of the phases.
     pub fn centre(&self) -> Vec<f64> {
         self.phases.iter().map(|x| x.mid()).collect()
     }
 
-    /// Returns the width of the widest phase.
+    /// Width of the widest phase.
     pub fn wid(&self) -> f64 {
         self.phases.iter().map(|x| x.wid()).fold(0.0, f64::max) // proposes: when to stop
     }

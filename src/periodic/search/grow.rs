@@ -8,7 +8,7 @@ use super::cut::{Part, Stretch};
 use crate::number::interval::Interval;
 use crate::periodic::chained::Chained;
 
-/// Flights on from a new end at which it is felt.
+/// Flights on from a new end that are cut anew.
 const AFFECTED_FLIGHTS: usize = 3;
 /// Greatest width of the end of a segment, in forcing periods.
 const MAX_END_WIDTH: f64 = 1.0 / 16.0;
@@ -27,7 +27,7 @@ struct Letter {
 }
 
 impl<S: Chained> Cell<'_, '_, S> {
-    /// Returns all the orbits of the cell, in parts that are narrow but for the first impact and the one half way.
+    /// Finds all orbits of the cell, in parts that are narrow in all phases but the first impact's and the middle impact's.
     ///
     /// `None` where the budget ends.
     pub fn chains(&mut self) -> Option<Vec<Part>> {

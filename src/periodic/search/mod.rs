@@ -41,7 +41,7 @@ impl Default for Budget {
 
 /// Cells of the first phase in each forcing period of the common period, in which searches go on side by side.
 const CELLS: u32 = 16;
-/// Forcing periods that are cut into cells so; those of a longer period are wider.
+/// Greatest number of forcing periods with `CELLS` cells each; a longer common period has wider cells.
 const MOST_PERIODS: u32 = 1 << 10;
 
 impl Problem {
@@ -112,7 +112,7 @@ impl Problem {
         census
     }
 
-    /// Returns the results of all cells, each orbit once, whatever the order that they were searched in.
+    /// Collects the results of all cells, each orbit once, whatever the order in which they were searched.
     fn gathered<S: Chained>(&self, cells: &[Cell<S>], known: &[PeriodicOrbit], precision: Precision) -> Census {
         let mut undecided: Vec<Region> = cells.iter().flat_map(Cell::undecided).collect();
         let mut orbits = known.to_vec();
@@ -131,8 +131,8 @@ impl Problem {
         Census { orbits, exhaustive: undecided.is_empty(), undecided, is_search: true, ..Census::default() }
     }
 
-    /// The orbit of a cell, proved anew to as many digits as decide whether it is one of those known; `None` where Newton's iteration
-    /// leads from the middles of its phases to what is not proved to be that orbit. Lemma T6
+    /// Proves the orbit of a cell anew, to as many digits as decide whether it is a known one. `None` where Newton's iteration, from the
+    /// middles of its phases, leads to another orbit or to none that is proved. Lemma T6
     fn prove_again(
         &self,
         orbit: &PeriodicOrbit,
@@ -242,7 +242,7 @@ mod tests {
         assert!(one >= 30 && several >= 8, "{one} {several}");
     }
 
-    /// Returns the number of admissible orbits that guesses lead to, each of which the chains are asserted to hold.
+    /// Number of admissible orbits that guesses lead to, each of which the chains are asserted to hold.
     fn held_by_chains<S: Chained>(problem: &Problem, shaken: &S) -> usize {
         let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
         let (word, period) = (&problem.word, f64::from(problem.period()));

@@ -9,14 +9,14 @@ use crate::periodic::entries::Entries;
 use crate::periodic::precondition::Preconditioner;
 use crate::periodic::shaking::Shaking;
 
-/// The equations of consecutive impacts over a part, for the phases of these impacts; others are given.
+/// Equations of consecutive impacts over a part, for the phases of these impacts; the other phases are given.
 ///
-/// Impacts go around: `k` is impact 0 again.
+/// Indices go around: `k` is impact 0 again.
 pub(super) struct Rows {
     impacts: Range<usize>,
-    /// The derivatives of each by the phases before, at and after it.
+    /// Derivatives of each equation by the phases before, at and after its impact.
     pub slopes: Vec<[Interval; 3]>,
-    /// The places of these phases among the unknowns; those that are given have none.
+    /// Columns of these phases among the unknowns; `None` for given phases.
     columns: Vec<[Option<usize>; 3]>,
 }
 
@@ -39,7 +39,7 @@ impl Rows {
         Entries::new(self.columns.len(), entries.collect())
     }
 
-    /// Returns how much the equations depend on each phase.
+    /// Weights of the phases: the sums of the moduli of the equations' derivatives by each phase.
     pub fn weights(&self, count: usize) -> Vec<f64> {
         let mut weights = vec![0.0; count];
         for (i, slopes) in self.impacts.clone().zip(&self.slopes) {
@@ -52,10 +52,10 @@ impl Rows {
 }
 
 impl Terms<'_> {
-    /// Returns the derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
+    /// Derivatives of Lemma T2 over a convex set that holds the middle of the part and all its orbits.
     ///
-    /// The mean value theorem looks at what lies between both, where nothing holds that only orbits obey: of all that was
-    /// cut, only phases and times are used, and times together with those at the middle.
+    /// The set also holds states between them, which are on no orbit, so bounds that hold for orbits only may not be
+    /// used. Of all cuts only those of phases and times count, times together with those at the middle.
     pub fn rows(&self, part: &Part, impacts: Range<usize>) -> Rows {
         let (e, count) = (self.restitution, self.chain.impacts());
         let centre = |i: usize| Interval::point(part.phases[i].mid());
@@ -77,7 +77,7 @@ impl Terms<'_> {
         Rows { impacts, slopes, columns }
     }
 
-    /// Cuts a part by Newton's equation; `None` when nothing is left. What has no middle is left as it is.
+    /// Cuts a part by Newton's equation; `None` when nothing is left. Without a preconditioner the part stays as it is.
     pub fn newton<S: Shaking<Ball>>(&self, shaking: &S, part: Part, rows: &Rows) -> Option<Step> {
         let Some(inverse) = Preconditioner::new(&rows.middles()) else {
             return Some(Step { part, weakest: 0, is_regular: false });

@@ -80,7 +80,7 @@ mod tests {
         })
     }
 
-    /// Returns whether a number computed with an error of some units may be in an interval.
+    /// Whether a number with an error of some units in its last place may be in an interval.
     fn holds(x: Interval, y: f64) -> bool {
         let error = 1e-14 * y.abs().max(1.0);
         x.inf() <= y + error && y - error <= x.sup()
@@ -146,7 +146,7 @@ mod tests {
         [sinc, if h < 0.0 { [-bend[1].clone(), -bend[0].clone()] } else { bend }]
     }
 
-    /// Returns whether bounds lie between two doubles.
+    /// Whether bounds lie between two doubles.
     fn is_within([low, high]: &Bounds, x: Interval) -> bool {
         let exact = |x: f64| BigRational::from_float(x).unwrap();
         exact(x.inf()) <= *low && *high <= exact(x.sup())

@@ -7,7 +7,7 @@ use super::super::point::Point;
 use super::Claim;
 
 impl<S: Varied> Claim<'_, S> {
-    /// Returns what doubles prove.
+    /// Gives back the point that doubles prove, if any.
     pub(super) fn prove_precisely(
         &self,
         _: &Preconditioner,
@@ -20,7 +20,7 @@ impl<S: Varied> Claim<'_, S> {
 }
 
 impl Between<'_> {
-    /// Leaves open what doubles do not prove.
+    /// Refuses: doubles did not prove the orbits, and this build has no more bits.
     pub fn prove_precisely(&self) -> Result<(), &'static str> {
         Err("they are not proved in doubles")
     }

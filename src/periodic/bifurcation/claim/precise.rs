@@ -14,14 +14,14 @@ const EXTENDED_BITS: u32 = 16;
 const MOST_PRECISIONS: u32 = 3;
 
 impl<S: Varied> Setting<'_, S> {
-    /// Returns the family in balls of `bits` bits.
+    /// The family in balls of `bits` bits.
     pub fn balls(&self, bits: u32) -> Family<S, MpBall> {
         Family { unknown: self.unknown, base: self.base.precise(bits) }
     }
 }
 
 impl<S: Varied> Claim<'_, S> {
-    /// Proves the zero near a guess in more and more bits; what is known already is `best`. An interval among the parameters
+    /// Proves the zero near a guess in more and more bits; `best` is the point proved so far. An interval among the parameters
     /// that do not vary is narrowed by no precision.
     pub(super) fn prove_precisely(
         &self,

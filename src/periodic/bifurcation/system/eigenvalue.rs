@@ -5,7 +5,7 @@ use super::super::ring::Ring;
 use super::{Shape, are_neighbours};
 use crate::several::PhaseNumber;
 
-/// Returns whether equation `i` of `F = 0`, `F'_mu w = 0` contains unknown `j` of `(u, w, p)`, or `mu` after them.
+/// Whether equation `i` of `F = 0`, `F'_mu w = 0` contains unknown `j` of `(u, w, p)`, or `mu` after them.
 fn critical_contains(i: usize, j: usize, m: usize) -> bool {
     match (i < m, j / m) {
         (true, 1) if j < 2 * m => false,

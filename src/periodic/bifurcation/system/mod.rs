@@ -15,20 +15,20 @@ pub(super) use orbits::{Curve, Graze, Releasing, Traced, Vanishing};
 
 /// The unknowns that each equation contains.
 pub(super) trait Shape {
-    /// Returns the number of unknowns.
+    /// Number of unknowns.
     fn unknowns(&self) -> usize;
 
-    /// Returns the number of equations.
+    /// Number of equations.
     fn equations(&self) -> usize {
         self.unknowns()
     }
 
-    /// Returns whether an equation contains an unknown: where it does not, the derivative is 0.
+    /// Whether an equation contains an unknown: where it does not, the derivative is 0.
     fn contains(&self, _: usize, _: usize) -> bool {
         true
     }
 
-    /// The coefficients of an equation that is linear, in all unknowns.
+    /// Coefficients of a linear equation, in all unknowns; `None` for an equation that is not linear.
     fn linear(&self, _: usize) -> Option<Vec<f64>> {
         None
     }
@@ -47,7 +47,7 @@ pub(super) enum System<'r> {
 }
 
 impl System<'_> {
-    /// Returns which equations contain which unknowns.
+    /// The equations as a pattern of unknowns.
     pub fn shape(&self) -> &dyn Shape {
         match self {
             Self::Curve(system) => system,
@@ -61,7 +61,7 @@ impl System<'_> {
         }
     }
 
-    /// Returns the residuals of the equations at `x`; `None` where they may not be defined.
+    /// Residuals of the equations at `x`; `None` where they may not be defined.
     pub fn values<S: Varied, N: PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<Vec<N>> {
         match self {
             Self::Curve(system) => system.values(family, x),
@@ -75,7 +75,7 @@ impl System<'_> {
         }
     }
 
-    /// Returns whether the conditions that the equations do not express are proved at a zero.
+    /// Whether the conditions that the equations do not express are proved at a zero.
     pub fn holds<S: Varied, N: Enclosing + PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> bool {
         let holds = match self {
             Self::Graze(system) => system.holds(family, x),
@@ -141,7 +141,7 @@ fn groups(rows: usize, columns: usize, contains: &dyn Fn(usize, usize) -> bool) 
     groups.into_iter().map(|(group, _)| group).collect()
 }
 
-/// Returns whether the equation of impact `i` of a ring of `m` contains the phase of impact `j`, or its variation.
+/// Whether the equation of impact `i` of a ring of `m` contains the phase of impact `j`, or its variation.
 fn are_neighbours(i: usize, j: usize, m: usize) -> bool {
     i == j || (i + 1) % m == j || (j + 1) % m == i
 }

@@ -97,8 +97,7 @@ impl Graze<'_> {
         Some(values)
     }
 
-    /// Returns whether the touch is proved to lie inside its flight, and the ball to come from inside the gap: it is bent away from the
-    /// wall. Lemma Y5
+    /// Whether the touch is proved to lie inside its flight, and the ball to come from inside the gap, accelerated away from the wall. Lemma Y5
     pub fn holds<S: Varied, N: Enclosing + PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<bool> {
         let (p, rest) = x.split_last()?;
         let (at, phases) = rest.split_last()?;
@@ -113,7 +112,7 @@ impl Graze<'_> {
     }
 }
 
-/// Returns whether a value is proved to be positive.
+/// Whether a value is proved to be positive.
 fn is_positive<N: Enclosing>(x: &N) -> bool {
     x.certain_sign() == Some(Ordering::Greater)
 }
@@ -148,7 +147,7 @@ impl Vanishing<'_> {
         values.push(self.ring.chain().before(&legs.legs, self.impact).clone());
         Some(values)
     }
-    /// Returns whether the ball is proved to come from inside the gap: it is bent away from the wall. Lemma Y5
+    /// Whether the ball is proved to come from inside the gap, accelerated away from the wall. Lemma Y5
     pub fn holds<S: Varied, N: Enclosing + PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<bool> {
         let [bend, _] = bend(family, self.ring.chain().walls()[self.impact], [&x[self.impact], x.last()?]);
         Some(is_positive(&bend))
@@ -179,7 +178,7 @@ impl Releasing<'_> {
         Some(values)
     }
 
-    /// Returns whether it is proved that `e = 0`, the ball arrives from inside the gap, and the contact force ends there. Lemma Y5
+    /// Whether `e = 0` is proved, the ball arrives from inside the gap, and the contact force ends there. Lemma Y5
     pub fn holds<S: Varied, N: Enclosing + PhaseNumber>(&self, family: &Family<S, N>, x: &[N]) -> Option<bool> {
         let (p, phases) = x.split_last()?;
         let (pair, chain) = (family.pair(p.clone()), self.ring.chain());
