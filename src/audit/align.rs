@@ -1,8 +1,7 @@
 //! The assignment of rows of the list to contacts of the certified orbit.
 //!
-//! A row may be any contact of a few, its candidates. As many rows as possible are matched so that rows and contacts
-//! keep their order: a longest increasing subsequence (Hunt and Szymanski, Comm. ACM 20(5), 350-353, 1977). So a row
-//! that is out of place costs itself only.
+//! A row may be any of a few contacts, its candidates. As many rows as possible are matched such that rows and contacts keep their order: a
+//! longest increasing subsequence (Hunt and Szymanski, Comm. ACM 20(5), 350-353, 1977). So a row out of place costs only itself.
 
 /// The row of each contact and the contact of each row.
 #[derive(Debug, PartialEq, Eq)]

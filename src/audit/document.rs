@@ -16,7 +16,7 @@ use crate::exact::Enclosure;
 const BITS: u32 = 64;
 
 impl Audit<'_> {
-    /// Returns the audit JSON.
+    /// The audit JSON.
     pub fn document(&self) -> AuditDocument {
         let Self { scene, truth, judgement, tolerance, doubles, .. } = self;
         let count = |verdict: Verdict| self.count(|other| other == verdict);

@@ -1,8 +1,8 @@
 //! The reach of double precision on this scene: two orbits in doubles, compared as any other list.
 //!
-//! The first is the exact orbit of the scene's data rounded to doubles: once it is proved to be outside, any simulator that
-//! reads the scene in doubles is right only by chance, however accurate. The second is impact-pair's own float orbit: it
-//! shows what rounding on the way adds; it proves nothing about other programs.
+//! The first is the exact orbit of the scene's data rounded to doubles. Where this orbit is proved to be outside, a simulator that reads the
+//! scene in doubles can be right only by chance, however accurately it computes. The second is impact-pair's own floating-point orbit: it shows
+//! the effect of rounding on the way, and proves nothing about other programs.
 
 use std::ops::ControlFlow;
 
@@ -22,26 +22,26 @@ use crate::{Error, Scene};
 /// Bits of a number that is rounded to a double.
 const BITS: u32 = 256;
 
-/// The results for both.
+/// Where the two orbits in doubles part from the true orbit.
 #[derive(Clone, Copy, Debug)]
 pub struct Doubles {
-    /// The exact orbit of the rounded data; `None` for intervals, or if it could not be certified that far.
+    /// Exact orbit of the rounded data; `None` for intervals, or if that orbit could not be certified to the end.
     pub data: Option<Parting>,
-    /// The float orbit; `None` when interrupted.
+    /// Floating-point orbit; `None` when interrupted.
     pub float: Option<Parting>,
 }
 
-/// The first impacts at which an orbit differs from the true one, up to the end of the list, by their true numbers.
+/// First impacts at which an orbit differs from the true one, up to the end of the list, by the true numbers of the impacts.
 #[derive(Clone, Copy, Debug)]
 pub struct Parting {
-    /// The first impact that disagrees.
+    /// First impact with a verdict that disagrees.
     pub disagrees: Option<(u64, Verdict)>,
-    /// The impact at which it diverges from the true orbit.
+    /// First true impact that the orbit does not follow any more.
     pub leaves: Option<u64>,
 }
 
 impl Doubles {
-    /// Judges both up to the last certified impact before `end`.
+    /// Compares both orbits up to the last certified impact before `end`.
     pub(super) fn judge(
         scene: &Scene,
         settings: &Settings,

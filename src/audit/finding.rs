@@ -6,13 +6,13 @@ use crate::exact::Enclosure;
 /// A row, a certified impact, or both.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// Its verdict.
+    /// Verdict on the row or impact.
     pub verdict: Verdict,
-    /// Position of the row among the rows.
+    /// Index of the row in the list.
     pub row: Option<usize>,
-    /// The contact that it is; of a false row the nearest one.
+    /// Contact that the row is; for a false row the nearest contact.
     pub(super) site: Option<usize>,
-    /// The errors of the row, if it is the contact.
+    /// Errors of the row, where the row is matched to the contact.
     pub errors: Option<Errors>,
 }
 

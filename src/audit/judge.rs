@@ -1,4 +1,4 @@
-//! The comparison: the verdict on each row and each certified impact, and where the list diverges from the orbit.
+//! The comparison: the verdict on each row and each certified impact, and the place where the list diverges from the orbit.
 
 use std::ops::Range;
 
@@ -13,14 +13,14 @@ use super::truth::{Rest, Site, SiteKind, Truth, is_faster};
 use super::verdict::{Reason, Verdict};
 use crate::exact::{Dyadic, Enclosure, compare_rational};
 
-/// The place at which a list diverges from the orbit.
+/// Place at which a list diverges from the orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Divergence {
-    /// The place among the findings.
+    /// Index among the findings.
     pub finding: usize,
-    /// The first true impact that the list does not follow.
+    /// First true impact that the list does not follow.
     pub impact: u64,
-    /// The first row after that; `None` if there is none.
+    /// First row after that impact; `None` if there is none.
     pub row: Option<usize>,
 }
 
@@ -70,7 +70,7 @@ impl Comparison {
         Self { findings, departure }
     }
 
-    /// Returns the first one that disagrees.
+    /// First finding that disagrees.
     pub fn first_disagreement(&self) -> Option<&Finding> {
         self.findings.iter().find(|finding| finding.verdict.disagrees())
     }
@@ -134,13 +134,13 @@ impl<'a> Comparer<'a> {
         first..end
     }
 
-    /// Returns whether the velocity of a row is proved not to be that of a contact, and may be that of an impact in the chatter after it.
+    /// Whether a row's velocity is proved not to be the contact's, and may be that of an impact in the chatter after the contact.
     fn is_of_chatter_after(&self, row: usize, site: usize) -> bool {
         let rest = self.truth.sites[site].rest.as_ref();
         self.is_outside_in_velocity(row, site) && rest.is_some_and(|rest| self.is_in_chatter(row, site, rest))
     }
 
-    /// Returns whether the velocity of a row is proved not to be that of a contact; false if either has none.
+    /// Whether a row's velocity is proved not to be the contact's; false if either has none.
     fn is_outside_in_velocity(&self, row: usize, site: usize) -> bool {
         let velocities = self.velocity(row).zip(self.truth.sites[site].velocity.as_ref());
         velocities.is_some_and(|(listed, truth)| {
@@ -148,19 +148,19 @@ impl<'a> Comparer<'a> {
         })
     }
 
-    /// Returns whether a contact that is not certified may come within the enclosure of this one.
+    /// Whether a contact that is not certified may come within the time enclosure of this one.
     fn is_before_doubt(&self, site: usize) -> bool {
         self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf() <= self.truth.sites[site].time.sup())
     }
 
-    /// Returns whether a row may be a contact that is not certified, as far as its times are compared.
+    /// Whether a row may be a contact that is not certified, by the comparison of times.
     fn is_in_doubt(&self, row: usize) -> bool {
         let around = self.tolerance.around_time(&self.times[row]);
         self.truth.doubtful_from.as_ref().is_some_and(|from| around.sup() >= from.inf())
             || self.near(row).any(|site| self.is_before_doubt(site))
     }
 
-    /// Returns whether any other contact, certified or not, may come within the enclosure of this one.
+    /// Whether any other contact, certified or not, may come within the time enclosure of this one.
     fn may_hold_another(&self, site: usize) -> bool {
         let sites = &self.truth.sites;
         let meets =
@@ -168,7 +168,7 @@ impl<'a> Comparer<'a> {
         self.is_before_doubt(site) || meets(site, site + 1) || site > 0 && meets(site - 1, site)
     }
 
-    /// Returns whether a row is so late that it may be a contact after the last certified one.
+    /// Whether a row is so late that it may be a contact after the last certified one.
     fn is_beyond(&self, row: usize, site: usize) -> bool {
         let is_open = self.truth.doubtful_from.is_some() && site + 1 == self.truth.sites.len();
         // As far as the last contact's half of the flight that led to it.
@@ -180,8 +180,8 @@ impl<'a> Comparer<'a> {
         is_open && self.rows[row].time.low > end()
     }
 
-    /// Returns whether row `one` is nearer to a contact than row `other`: by its velocity, if only one of the two velocities may be the contact's,
-    /// else by its time.
+    /// Whether row `one` is nearer to a contact than row `other`: by velocity, if only one of the two velocities may be the contact's, else by
+    /// time.
     fn is_nearer(&self, one: usize, other: usize, site: usize) -> bool {
         let [is_one_outside, is_other_outside] = [one, other].map(|row| self.is_outside_in_velocity(row, site));
         if is_one_outside != is_other_outside {
@@ -261,7 +261,7 @@ impl<'a> Comparer<'a> {
         Finding { verdict, row: Some(row), site, errors: None }
     }
 
-    /// Returns whether a time comes after the contact and not after the release of the rest that follows it.
+    /// Whether a time comes after the contact and not after the release of the rest that follows the contact.
     fn is_within(&self, time: &Enclosure, site: usize, rest: &Rest) -> bool {
         let is_before_its_end = match (&rest.until, &self.truth.doubtful_from) {
             (Some(until), _) => time.sup() <= until.sup(),
@@ -272,8 +272,8 @@ impl<'a> Comparer<'a> {
         time.inf() > self.truth.sites[site].time.sup() && is_before_its_end
     }
 
-    /// Returns whether a row lies in the complete chatter before this rest: on its wall, not later than its start and not earlier than the
-    /// impact before it by more than the tolerance, and with a velocity between that of this impact and 0.
+    /// Whether a row lies in the complete chatter before this rest. Its wall is the chatter's; its time lies between the impact at `site` and the
+    /// start of the rest, to the tolerance; its velocity lies between that impact's and 0.
     fn is_in_chatter(&self, row: usize, site: usize, rest: &Rest) -> bool {
         let first = &self.truth.sites[site];
         let time = &self.times[row];

@@ -59,12 +59,12 @@ use truth::Truth;
 /// Digits that the truth has beyond those of the tolerance, so that its own width does not matter.
 const EXTRA_DIGITS: u32 = 3;
 
-/// The settings of an audit.
+/// Settings of an audit.
 #[derive(Clone, Debug)]
 pub struct AuditSettings {
-    /// Accepted difference of a time, in periods `2 pi/W`, and of a velocity, in `A W`.
+    /// Tolerance: accepted difference of a time, in periods `2 pi/W`, and of a velocity, in `A W`.
     pub tolerance: Exact,
-    /// The time up to which the list is compared \[time\]: later rows are ignored; by default the last one listed.
+    /// Time up to which the list is compared \[time\]: later rows are ignored. By default the last time in the list.
     pub until: Option<Exact>,
     /// Digits of the certified orbit; by default three more than the tolerance has.
     pub digits: Option<u32>,
@@ -73,7 +73,7 @@ pub struct AuditSettings {
 }
 
 impl Default for AuditSettings {
-    /// Returns the settings of a tolerance of `10^-9`, up to the last time listed.
+    /// A tolerance of `10^-9`, up to the last time in the list.
     fn default() -> Self {
         let tolerance = "1e-9".parse().expect("a number");
         Self { tolerance, until: None, digits: None, max_bits: MAX_BITS }
@@ -81,14 +81,14 @@ impl Default for AuditSettings {
 }
 
 impl AuditSettings {
-    /// Returns the settings of the certified orbit up to the time `until`.
+    /// Settings of the certified orbit up to the time `until`.
     fn settings(&self, until: Exact) -> Settings {
         let arithmetic = if MULTIPRECISION { Arithmetic::Auto } else { Arithmetic::Interval };
         let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
         Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
     }
 
-    /// The digits requested, or those that do for the tolerance.
+    /// The requested digits, or the digits that the tolerance needs.
     fn digits(&self) -> u32 {
         self.digits.unwrap_or_else(|| {
             let (_, size) = self.tolerance.enclose(64).to_f64_bounds();
@@ -104,9 +104,9 @@ impl AuditSettings {
 /// **Cost**: of a list of `n` rows the orbit is followed to its end, but not beyond `2 n + 1000` impacts, and `2^16` more in a row on
 /// one wall: then the list lacks more impacts than it has rows, and the rows that come later are [not reached](Verdict::NotReached).
 pub struct Audit<'s> {
-    /// The scene of the impacts.
+    /// Scene of the list's impacts.
     pub scene: &'s Scene,
-    /// The rows that are compared.
+    /// Rows that are compared.
     pub rows: Vec<Listed>,
     /// Number of rows after the end of the comparison.
     pub left_out: usize,
@@ -125,7 +125,7 @@ pub struct Audit<'s> {
 }
 
 impl<'s> Audit<'s> {
-    /// Compares `rows` with the certified orbit of a scene, until interrupted by the watch.
+    /// Compares the rows of `list` with the certified orbit of a scene, until interrupted by the watch.
     ///
     /// # Errors
     /// If there is no row, or the time to compare up to is out of range ([`ErrorKind::List`](crate::ErrorKind::List), or the
@@ -175,77 +175,77 @@ impl<'s> Audit<'s> {
         })
     }
 
-    /// Returns the units of the tolerance.
+    /// Units of the tolerance.
     pub fn scales(&self) -> &Scales<Enclosure> {
         &self.tolerance.scales
     }
 
-    /// Returns the tolerance, relative to them.
+    /// Tolerance, relative to [`scales`](Self::scales).
     pub fn tolerance(&self) -> &Exact {
         &self.tolerance.relative
     }
 
-    /// Returns the requested digits of the certified orbit.
+    /// Requested digits of the certified orbit.
     pub fn digits(&self) -> u32 {
         self.settings.digits
     }
 
-    /// Returns the findings, in the order of the list, with missed impacts in between.
+    /// Findings in the order of the list, with missed impacts in between.
     pub fn findings(&self) -> &[Finding] {
         &self.judgement.findings
     }
 
-    /// Returns where the list diverges from the orbit, if it does.
+    /// Place where the list diverges from the orbit; `None` if it does not.
     pub fn departure(&self) -> Option<Divergence> {
         self.judgement.departure
     }
 
-    /// Returns how many findings have a verdict.
+    /// Number of findings with a verdict that satisfies a condition.
     pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
         self.findings().iter().filter(|finding| is(finding.verdict)).count()
     }
 
-    /// Returns the first one that disagrees.
+    /// First finding that disagrees.
     pub fn first_disagreement(&self) -> Option<&Finding> {
         self.judgement.first_disagreement()
     }
 
-    /// Returns the row that a finding is about.
+    /// Row that a finding is about.
     pub fn row(&self, finding: &Finding) -> Option<&Listed> {
         finding.row.map(|row| &self.rows[row])
     }
 
-    /// Returns the certified contact that a finding is about.
+    /// Certified contact that a finding is about.
     pub fn site(&self, finding: &Finding) -> Option<&Site> {
         finding.site.map(|site| &self.truth.sites[site])
     }
 
-    /// Returns the impact that a finding is about: for a false row the one that it matches or is nearest to.
+    /// Number of the impact that a finding is about: of a false row the nearest one.
     pub fn impact(&self, finding: &Finding) -> u64 {
         self.site(finding).map_or(0, |site| site.index)
     }
 
-    /// Returns the first impact whose enclosure is wider than the requested digits.
+    /// First impact whose enclosure is wider than the requested digits.
     pub fn first_wide(&self) -> Option<u64> {
         self.truth.wide
     }
 
-    /// Returns whether the certified orbit ends before the end of the comparison.
+    /// Whether the certified orbit ends before the end of the comparison.
     pub fn is_open(&self) -> bool {
         self.truth.doubtful_from.as_ref().is_some_and(|from| from.inf().to_rational() <= self.end)
     }
 
-    /// Returns whether nothing disagrees and nothing is undecided.
+    /// Whether nothing disagrees and nothing is undecided.
     pub fn is_agreed(&self) -> bool {
         !self.is_open() && self.count(|verdict| verdict.disagrees() || verdict == Verdict::Undecided) == 0
     }
 
-    /// Returns the result in one line.
+    /// Result in one line.
     pub fn conclusion(&self) -> String {
         self.concluded(false)
     }
 
-    /// Returns the result in one line, with the options of the command line that may help.
+    /// Result in one line, with the options of the command line that may help.
     pub fn advice(&self) -> String {
         self.concluded(true)
     }
@@ -293,7 +293,7 @@ impl<'s> Audit<'s> {
     }
 }
 
-/// Returns the error that the requested end of the comparison is before the start, or later than an orbit can be followed.
+/// Error that the requested end of the comparison is before the start, or later than an orbit can be followed.
 fn out_of_reach(requested: &AuditSettings, rows: &[Listed], start: &Exact) -> Error {
     const BEYOND_LATEST_TIME: &str = "later than an orbit can be followed to";
     let latest = rows.iter().max_by(|one, other| one.time.high.cmp(&other.time.high));

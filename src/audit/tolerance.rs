@@ -6,13 +6,13 @@ use crate::{Error, Scene};
 
 /// The tolerance of a scene.
 pub(super) struct Tolerance {
-    /// Relative, as it is requested.
+    /// Relative tolerance, as requested.
     pub relative: Exact,
     pub scales: Scales<Enclosure>,
-    /// An upper bound of what a time may be off \[time\], and a velocity \[length/time\].
+    /// Upper bounds of the accepted difference of a time \[time\], and of a velocity \[length/time\].
     time: Dyadic,
     velocity: Dyadic,
-    /// Bits that numbers are compared in.
+    /// Bits of the comparisons.
     pub bits: u32,
 }
 
@@ -20,7 +20,7 @@ impl Tolerance {
     /// Bits beyond those of the digits: for large times, and so that roundings do not matter.
     pub const GUARD: u32 = 256;
 
-    /// Returns the tolerance relative to the scene's period and velocity, for enclosures of N digits.
+    /// Tolerance relative to the scene's period and velocity, for enclosures of `digits` decimal digits.
     ///
     /// # Errors
     /// If these exceed the range of exact expressions.
@@ -32,23 +32,23 @@ impl Tolerance {
         Ok(Self { relative: relative.clone(), scales, time, velocity, bits })
     }
 
-    /// Encloses the distance of the points of both.
+    /// Encloses the distance between a point of one enclosure and a point of the other.
     pub fn distance(&self, one: &Enclosure, other: &Enclosure) -> Enclosure {
         let difference = one.sub(other, self.bits);
         Enclosure::new(difference.mig(), difference.mag()).expect("the least is at most the greatest")
     }
 
-    /// Returns whether a distance in time is proved to be greater than the tolerance.
+    /// Whether a distance in time is proved to be greater than the tolerance.
     pub fn is_outside_in_time(&self, distance: &Enclosure) -> bool {
         distance.inf() > &self.time
     }
 
-    /// Returns the same for a velocity.
+    /// Whether a distance in velocity is proved to be greater than the tolerance.
     pub fn is_outside_in_velocity(&self, distance: &Enclosure) -> bool {
         distance.inf() > &self.velocity
     }
 
-    /// Returns the interval with what a time may be off on both sides.
+    /// The interval widened by the tolerance of times on both sides.
     pub fn around_time(&self, time: &Enclosure) -> Enclosure {
         let most = Enclosure::point(self.time.clone());
         time.add(&most.hull(&most.negated()), self.bits)

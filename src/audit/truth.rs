@@ -13,9 +13,9 @@ use crate::pair::Wall;
 use crate::watch::Watch;
 use crate::{Error, Scene};
 
-/// Impacts that are followed for each row of the list, ...
+/// Impacts that are followed for each row of the list.
 const IMPACTS_PER_ROW: usize = 2;
-/// ... and beyond those.
+/// Impacts that are followed in addition to those.
 const EXTRA_IMPACTS: usize = 1000;
 /// Impacts in a row on one wall that are not counted: they may be a chatter's.
 const IMPACTS_PER_RUN: usize = 1 << 16;
@@ -25,13 +25,13 @@ const IMPACTS_PER_RUN: usize = 1 << 16;
 pub struct Site {
     /// The kind of contact, which determines whether it has to be listed.
     pub kind: SiteKind,
-    /// The impact's number; for others that of the last impact.
+    /// Number of the impact; for other contacts that of the last impact.
     pub index: u64,
-    /// Its wall.
+    /// Wall of the contact.
     pub wall: Wall,
     /// \[time\]
     pub time: Enclosure,
-    /// `y'` just before \[length/time\]; `None` for a graze.
+    /// `y'` just before the contact \[length/time\]; `None` for a graze.
     pub velocity: Option<Enclosure>,
     /// The rest that comes next, before any other contact.
     pub rest: Option<Rest>,
@@ -60,7 +60,7 @@ impl Site {
 pub struct Rest {
     /// Beginning of the rest \[time\].
     pub from: Enclosure,
-    /// `None`: for ever, or to the end.
+    /// End of the rest; `None`: for ever, or to the end.
     pub until: Option<Enclosure>,
     /// After infinitely many impacts.
     pub is_accumulation: bool,
@@ -76,17 +76,17 @@ pub(super) struct Truth {
     pub conclusion: Conclusion,
     /// The arithmetic that computed it, as in the orbit JSON.
     pub computed: ArithmeticDocument,
-    /// The first impact whose enclosure is wider than the requested digits.
+    /// First impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
 }
 
 impl Truth {
-    /// Follows the orbit of the scene for a list of N rows; when interrupted, as far as it came.
+    /// Follows the orbit of the scene for a list of `rows` rows; when interrupted, as far as it came.
     ///
-    /// A row is at most one contact. So of more than `2 n + 1000` impacts the list of `n` rows lacks more than `n`: it is wrong, and
-    /// where its later rows go is not worth an orbit to times that may be arbitrarily late. Of the impacts since the ball left the
-    /// other wall the first `2^16` are not counted, for they may be a chatter's, which need not be listed. More are: with `e = 1`, or
-    /// next to it, hops on one wall have no end that can be waited for.
+    /// A row is at most one contact. So of more than `2 n + 1000` impacts a list of `n` rows lacks more than `n`: the list is wrong, and its
+    /// later rows, at arbitrarily late times, are not worth following the orbit. Of the impacts since the ball left the other wall, the first
+    /// `2^16` do not count: they may belong to a chatter, which need not be listed. Later ones count: with `e` at or near 1, hops on one wall
+    /// have no end that can be waited for.
     pub fn follow(
         scene: &Scene,
         settings: Settings,
@@ -136,7 +136,7 @@ impl Truth {
         })
     }
 
-    /// Returns the outcome of the orbit, or the reason why it was not followed further.
+    /// Outcome of the orbit, or the reason why it was not followed further.
     pub fn message(&self) -> String {
         match self.sites.last() {
             Some(last) if self.is_cut => {
@@ -146,12 +146,12 @@ impl Truth {
         }
     }
 
-    /// Returns the impact that a finding is about.
+    /// Number of the impact that a finding is about.
     pub fn impact(&self, finding: &Finding) -> u64 {
         finding.site.map_or(0, |site| self.sites[site].index)
     }
 
-    /// Returns the times at which one contact stops being the nearest one and the next begins to be; a rest between is halved.
+    /// Times between successive contacts at which the nearest contact changes: the middle of a rest between them, or else of the contacts.
     pub fn boundaries(&self) -> Vec<Dyadic> {
         let boundary = |pair: &[Site]| {
             let [one, next] = pair else { unreachable!("windows of two") };
@@ -201,10 +201,10 @@ fn note(sites: &mut Vec<Site>, (event, index): (&Event, u64), tolerance: &Tolera
     }
 }
 
-/// Leaves out the last impacts of a chatter: those not proved to be earlier than its end, or faster than the contact before them, by
-/// more than the tolerance. After a graze, which leaves no chatter behind, those of some speed are kept.
+/// Leaves out the last impacts of a chatter: those not proved, by more than the tolerance, to be earlier than its end or faster than the contact
+/// before them. After a graze, which leaves no chatter behind, impacts of some speed are kept.
 ///
-/// To the tolerance they are one with the infinitely many that are not listed.
+/// To the tolerance these are one with the infinitely many impacts that are not listed.
 fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance) {
     // G1: a graze is no impact, or one of a speed too small to tell
     let velocity = |site: &Site| site.velocity.clone().unwrap_or_else(|| Enclosure::point(Dyadic::zero()));
@@ -219,7 +219,7 @@ fn leave_out_tail(sites: &mut Vec<Site>, end: &Enclosure, tolerance: &Tolerance)
     }
 }
 
-/// Returns whether a velocity is proved not to lie between that of a contact and 0, by more than the tolerance.
+/// Whether a velocity is proved, by more than the tolerance, not to lie between that of a contact and 0.
 pub(super) fn is_faster(velocity: &Enclosure, than: &Enclosure, tolerance: &Tolerance) -> bool {
     let slower = than.hull(&Enclosure::point(Dyadic::zero()));
     tolerance.is_outside_in_velocity(&tolerance.distance(velocity, &slower))

@@ -1,26 +1,26 @@
 //! Verdicts on rows of the list and on certified impacts.
 
-/// The verdict on a row or a certified impact.
+/// Verdict on a row or a certified impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Certified, within the tolerance.
+    /// The listed impact is certified, and may be within the tolerance.
     Inside,
-    /// Certified, and proved to be outside the tolerance.
+    /// The listed impact is certified, and proved to be outside the tolerance.
     Outside,
-    /// Certified, but not listed.
+    /// The impact is certified, but not listed.
     Missed,
-    /// Listed, and proved not to happen.
+    /// The row is proved not to be a certified impact.
     False(Reason),
-    /// Among the infinitely many impacts of a chatter.
+    /// The row is among the infinitely many impacts of a chatter.
     InChatter,
-    /// After the end of the certified orbit.
+    /// The row is after the end of the certified orbit.
     Undecided,
-    /// After the impact from which on the orbit was not followed: the list lacks more impacts than it has rows.
+    /// The row is after the last followed impact: the list lacks more impacts than it has rows.
     NotReached,
 }
 
 impl Verdict {
-    /// Returns the word of the audit JSON.
+    /// Name of the verdict in the audit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Inside => "inside",
@@ -33,29 +33,29 @@ impl Verdict {
         }
     }
 
-    /// Returns whether the list is proved to differ from the true orbit here.
+    /// Whether list and true orbit are proved to differ here.
     pub fn disagrees(self) -> bool {
         matches!(self, Self::Outside | Self::Missed | Self::False(_))
     }
 }
 
-/// The reason why a row is false.
+/// Reason why a row is false.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Another row is this impact already.
+    /// Another row is already matched to this impact.
     Twice,
-    /// The impact it would be comes earlier or later in the list.
+    /// The impact that the row would be comes earlier or later in the list.
     Order,
     /// The nearest contact is on the other wall.
     Wall,
-    /// The ball rests on its wall at that time.
+    /// The ball rests on the row's wall at that time.
     Rest,
     /// No impact is near, or none at all.
     None,
 }
 
 impl Reason {
-    /// Returns the word of the audit JSON.
+    /// Name of the reason in the audit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Twice => "twice",

@@ -29,8 +29,7 @@ pub struct HorseshoeSettings {
 ///
 /// **Enclosure**: take any parameter of the pair, and any sequence of words of which each starts in the h-set that the word before covers. Then
 /// there is a motion with exactly these impacts; a periodic sequence has a periodic motion. Motions of different sequences are different. The
-/// topological entropy of the impact map on a compact invariant set
-/// without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
+/// topological entropy of the impact map on a compact invariant set without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
 /// **Cost**: about 10 microseconds per box; if no h-sets are given, some hundred thousand boxes to find them.
 ///
 /// ```

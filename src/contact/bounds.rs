@@ -10,7 +10,7 @@ use crate::pair::Reduced;
 
 /// An upper bound of `2 pi`.
 pub(super) const TAU: f64 = std::f64::consts::TAU.next_up();
-/// More than what the at most sixty operations that make an error bound lose themselves (Lemma C1).
+/// More than the rounding errors of the at most sixty operations that make an error bound (Lemma C1).
 ///
 /// The bounds of [`Bounds`] that the hot path takes are computed without it; what is decided with them has it.
 pub(super) const SLACK: f64 = 1.0 + 128.0 * UNIT;
@@ -54,7 +54,7 @@ pub struct Margins {
 }
 
 impl Margins {
-    /// Returns the margins of a pair.
+    /// Margins of a pair.
     pub fn new(pair: &Reduced<Ball>) -> Self {
         let (alpha, beta) = (pair.alpha.mag(), pair.beta.mag());
         let hop = SIN_COS_ERROR + DEPARTURE_ERROR + 4.0 * UNIT;
@@ -100,14 +100,14 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         Self { flight, pair, radii, drift, tilt }
     }
 
-    /// Returns whether all the starts are on the wall: a start inside has a radius of its height, even where its double is 0.
+    /// Whether all starts are on the wall: a start inside has a radius of its height, even where its double is 0.
     #[inline(always)]
     pub fn is_on_wall(&self) -> bool {
         // C6: it begins there, exactly; so do the hops of C1.
         self.flight.height == 0.0 && self.radii.height == 0.0
     }
 
-    /// Returns the radius of the start's phase.
+    /// Radius of the start's phase.
     #[inline(always)]
     pub fn phase_radius(&self) -> f64 {
         if WIDE { self.radii.phase } else { 0.0 }
@@ -119,7 +119,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         self.flight.velocity.abs() + self.radii.velocity
     }
 
-    /// Returns the part of the error of `z` that comes from the spread of starts, within `time` forcing periods of the start.
+    /// Part of the error of `z` that comes from the spread of starts, within `time` forcing periods of the start.
     #[inline(always)]
     fn spread(&self, time: f64) -> f64 {
         let Radii { phase, velocity, height } = self.radii;
@@ -131,7 +131,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         }
     }
 
-    /// Lemma C1: bounds `|z - computed z|` near the contact, for fixed phase; `time` has passed, `whole` of it whole forcing periods.
+    /// Lemma C1: bounds `|z - computed z|` near the contact, for fixed phase, `time` after the start, with `whole` whole forcing periods.
     #[inline(always)]
     pub fn height(&self, time: f64, whole: f64, sin: f64, residual: f64) -> f64 {
         let (flight, pair) = (self.flight, self.pair);
@@ -173,20 +173,20 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         SLACK * (terms * per_term + self.radii.velocity + UNIT * (self.speed() + 2.0 * velocity.abs()))
     }
 
-    /// Returns the radius of `beta`.
+    /// Radius of `beta`.
     #[inline(always)]
     pub fn beta_radius(&self) -> f64 {
         self.pair.beta_radius(self.flight.beta)
     }
 
-    /// Returns bounds `|c - computed c|` over all starts.
+    /// Bounds `|c - computed c|` over all starts.
     #[inline(always)]
     pub fn slope(&self) -> f64 {
         let spread = if WIDE { self.tilt * self.radii.phase } else { 0.0 };
         SLACK * (self.drift + self.radii.velocity + spread)
     }
 
-    /// Lemma C4: how far a true critical phase may lie from the computed one, in forcing periods.
+    /// Lemma C4: bounds the distance of a true critical phase from the computed one, in forcing periods.
     #[inline(always)]
     pub fn critical_phase(&self) -> f64 {
         // |q - computed q| with q = c/beta, |q| <= 1.
@@ -195,7 +195,7 @@ impl<'a, const WIDE: bool> Bounds<'a, WIDE> {
         if ratio >= 0.0 { SLACK * (ACOS_ERROR + 0.354 * ratio.sqrt() + 16.0 * UNIT) } else { f64::INFINITY }
     }
 
-    /// Returns whether [`Bounds::critical_phase`] is below [`NARROW`], without its root and quotient.
+    /// Whether [`Bounds::critical_phase`] is below [`NARROW`], without its root and quotient.
     #[inline(always)]
     pub fn is_narrow(&self) -> bool {
         // beta's radius is below the slope; 0.354 sqrt(2^-25) < 2^-13.99, and the rest is below 2^-30.

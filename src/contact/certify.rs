@@ -1,4 +1,4 @@
-//! The enclosure disposes: what a floating proposal is worth, proved.
+//! The enclosure disposes: floating-point proposals are proved.
 //!
 //! Lemmas C3 (one root), C4 (nothing earlier on pieces), C5 (monotone flights) and C6 (hops) of
 //! `docs/proofs/flights.md#C3`, same labels, with the bounds of [`super::bounds`].
@@ -15,7 +15,7 @@ use crate::number::{Ball, Kernel, UNIT, binade, up};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrival {
     pub target: Target,
-    /// Whole forcing periods.
+    /// Whole forcing periods between the start's phase and the phase of arrival.
     pub turns: f64,
     /// Phase of arrival less the whole forcing periods.
     pub phase: Ball,
@@ -35,7 +35,7 @@ pub(crate) struct Bracket {
     pub rest: f64,
 }
 
-/// The property that could not be proved of a bracketed contact.
+/// Property that could not be proved of a bracketed contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Doubt {
     /// The direction of departure is not certain.
@@ -46,10 +46,10 @@ pub(crate) enum Doubt {
     Location,
 }
 
-/// Flights from a wall up to this many forcing periods are bracketed with the departure root divided out; it works to 1/8.
+/// Longest flight from a wall, in forcing periods, that is bracketed with the departure root divided out; the formulas hold up to 1/8.
 pub(super) const SHORT_FLIGHT: f64 = 0.124;
 
-/// Returns whether the kernel accepts a time, of a flight that ends near its start (Lemma K2).
+/// Whether the kernel accepts a time, of a flight that ends near its start (Lemma K2).
 #[inline(always)]
 pub(super) fn is_near_time(time: f64) -> bool {
     (4.909093465297727e-91..=0.125).contains(&time)
@@ -68,7 +68,7 @@ struct Root {
 }
 
 impl<const WIDE: bool> Bounds<'_, WIDE> {
-    /// Returns a bracket around a proposed contact of a flight that is no hop (Lemma C3).
+    /// Bracket around a proposed contact of a flight that is no hop (Lemma C3).
     #[inline(always)]
     pub fn bracket(&self, iterate: &Iterate) -> Option<Bracket> {
         let (flight, turns) = (self.flight, iterate.turns);
@@ -80,7 +80,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         is_proved.then_some(bracket)
     }
 
-    /// Returns a bracket `elapsed` forcing periods after the start.
+    /// Bracket `elapsed` forcing periods after the start, and whether it is proved.
     #[inline(always)]
     pub fn long_bracket(&self, iterate: &Iterate, elapsed: f64) -> (Bracket, bool) {
         let (flight, turns) = (self.flight, iterate.turns);
@@ -98,7 +98,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 
     /// A bracket around the end of a short flight from a wall, `time` after its start.
     ///
-    /// The departure root divided out, the errors are relative to the flight and not to a whole forcing period.
+    /// With the departure root divided out, the errors are relative to the flight and not to a whole forcing period.
     #[inline(never)]
     fn short_bracket(self, target: Target, time: f64) -> Option<Bracket> {
         if !is_near_time(time) {
@@ -108,14 +108,14 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         self.hop_bracket(&iterate, &departure)
     }
 
-    /// Returns a bracket around the end of a hop (Lemma C3).
+    /// Bracket around the end of a hop (Lemma C3).
     #[inline(always)]
     pub fn hop_bracket(&self, iterate: &Iterate, departure: &SmallAngle) -> Option<Bracket> {
         let (bracket, is_proved) = self.near_bracket(iterate, departure);
         is_proved.then_some(bracket)
     }
 
-    /// Returns the same, and whether it is proved.
+    /// Bracket around the end of a hop, and whether it is proved.
     #[inline(always)]
     pub fn near_bracket(&self, iterate: &Iterate, departure: &SmallAngle) -> (Bracket, bool) {
         let SmallAngle { versine, excess, sine } = *departure;
@@ -232,7 +232,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         self.is_on_first_piece(extrema, k, arrival, 0.0)
     }
 
-    /// Returns the same where it is plain: no extremum has to be known more closely.
+    /// Whether [`is_first`](Self::is_first) follows from coarse heights of the extrema, without refinement.
     #[inline(always)]
     pub fn is_plainly_first(&self, extrema: &Extrema, k: f64, arrival: &Arrival) -> bool {
         let is_on_piece = self.is_narrow() & self.is_between(extrema, k, arrival, NARROW);
@@ -265,8 +265,8 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         if clear.is_ok() { clear } else { self.are_inside_refined(*extrema, k, arrival.target, error) }
     }
 
-    /// Returns whether the contact is on its piece, for critical phases that may be `shift` off: later than the extremum before last of its
-    /// kind, earlier than the last; the sign of `z'` is proved on the bracket.
+    /// Whether the contact is on its piece, for critical phases that may be `shift` off: later than the extremum before last of its kind, earlier
+    /// than the last. The sign of `z'` is proved on the bracket.
     #[inline(always)]
     fn is_between(&self, extrema: &Extrema, k: f64, arrival: &Arrival, shift: f64) -> bool {
         let (first, _) = extrema.before(arrival.target);
@@ -282,7 +282,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         (error, SLACK * ACOS_ERROR.mul_add(self.flight.drift.abs(), error))
     }
 
-    /// Decides the same as `are_inside`, with the heights of the extrema at the computed critical phase (Lemma E2).
+    /// As `are_inside`, with the heights of the extrema at the computed critical phase (Lemma E2).
     #[cold]
     fn are_inside_refined(self, mut extrema: Extrema, k: f64, target: Target, error: f64) -> Result<(), Doubt> {
         extrema.refine::<Kernel>(self.flight);
@@ -290,7 +290,7 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
         extrema.are_inside(self.flight.drift, k, target, SLACK * (error + stationary))
     }
 
-    /// Returns whether all starts leave in the same direction and on the same monotone piece.
+    /// Whether all starts leave in the same direction and on the same monotone piece.
     #[inline(always)]
     fn departure_is_certain(&self, rising: bool) -> bool {
         let flight = self.flight;
@@ -312,17 +312,17 @@ impl<const WIDE: bool> Bounds<'_, WIDE> {
 }
 
 impl Extrema {
-    /// Returns whether the piece before extremum `k` starts with the flight, and has no extremum before it.
+    /// Whether the piece before extremum `k` begins with the flight, without an extremum before it.
     #[inline(always)]
     fn is_on_first(&self, k: f64, target: Target) -> bool {
         // C4: extremum 0 ends the first piece
         self.rising == (target == Target::Far) && k == 0.0
     }
 
-    /// Returns whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
+    /// Whether the extrema that come before extremum `k` of the target's kind are `margin` inside the gap.
     ///
-    /// Of this kind the one before `k` decides (the drift brings each nearer to the wall than the one before), of
-    /// the other kind the first.
+    /// Of this kind the extremum before `k` decides, as the drift brings each nearer to the wall than the one before. Of the other kind the first
+    /// extremum decides.
     #[inline(always)]
     fn are_inside(&self, drift: f64, k: f64, target: Target, margin: f64) -> Result<(), Doubt> {
         let last = k - 1.0;

@@ -3,13 +3,13 @@
 //! `z' = c - beta cos th` vanishes only where `cos th = q = c/beta`: minima at `th = +2 pi p`, maxima at
 //! `th = -2 pi p` modulo `2 pi`, with `2 pi p = acos q`. Between them `z` is monotone, and from one forcing period to
 //! the next both kinds move by the drift `c`. So the first maximum above 1 or minimum below 0 is found by
-//! one division, and a flight of 100,000 forcing periods costs what a short one costs.
+//! one division, and a flight of 100,000 forcing periods costs no more than a short one.
 
 use crate::flight::Flight;
 use crate::number::Trigonometry;
 use crate::pair::Wall;
 
-/// The first maximum and the first minimum of a flight, times in forcing periods after the start.
+/// First maximum and first minimum of a flight, times in forcing periods after the start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extrema {
     /// The critical phase `acos(q) / (2 pi)`, in `[0, 1/2]`.
@@ -36,7 +36,7 @@ pub(crate) enum Target {
 }
 
 impl Target {
-    /// Returns the wall, for a flight measured from `near`.
+    /// Wall of the target, for a flight measured from `near`.
     #[inline(always)]
     pub fn wall(self, near: Wall) -> Wall {
         match self {
@@ -53,7 +53,7 @@ impl Target {
         }
     }
 
-    /// Returns the sign of `z'` on arrival.
+    /// Sign of `z'` on arrival.
     #[inline(always)]
     pub fn direction(self) -> f64 {
         match self {
@@ -63,16 +63,16 @@ impl Target {
     }
 }
 
-/// The monotone piece a flight ends on: the one before extremum `k` of the target's kind.
+/// The monotone piece that a flight ends on: the piece before extremum `k` of the target's kind.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub target: Target,
-    /// A whole number: how many extrema of this kind pass before.
+    /// Number of extrema of this kind before the piece, a whole number.
     pub k: f64,
 }
 
 impl Extrema {
-    /// Returns the extrema of `flight`, with `q` clamped into [-1, 1].
+    /// The extrema of `flight`, with `q` clamped into [-1, 1].
     #[inline(always)]
     pub fn new<T: Trigonometry>(flight: &Flight<f64>) -> Self {
         let q = (flight.drift / flight.beta).clamp(-1.0, 1.0); // C4: beyond 1 only if nearly monotone
@@ -110,7 +110,7 @@ impl Extrema {
         self.min = (-flight.alpha).mul_add(self.sine, flight.drift.mul_add(self.first_min, base));
     }
 
-    /// Returns the piece of the first contact, as far as floating point can tell; `None` when no wall is reached.
+    /// Piece of the first contact, as far as floating point can tell; `None` when no wall is reached.
     #[inline(always)]
     pub fn first_piece(&self, drift: f64) -> Option<Piece> {
         let (far, near) = (self.max >= 1.0, self.min <= 0.0);
@@ -129,7 +129,7 @@ impl Extrema {
         }
     }
 
-    /// Returns whether an extremum that decides about `piece` lies within `margin` of its wall.
+    /// Whether an extremum that decides about `piece` lies within `margin` of its wall.
     #[inline(always)]
     pub fn is_close(&self, piece: &Piece, drift: f64, margin: f64) -> bool {
         let extremum = match piece.target {
@@ -144,7 +144,7 @@ impl Extrema {
             || self.min.abs() <= margin
     }
 
-    /// Returns when extremum `k = 0` of the target's kind comes, and how long the monotone piece before it lasts.
+    /// Time of extremum `k = 0` of the target's kind, and duration of the monotone piece before each extremum of this kind.
     #[inline(always)]
     pub fn before(&self, target: Target) -> (f64, f64) {
         match target {

@@ -124,7 +124,7 @@ struct SetAndCentre<'a> {
 }
 
 impl SetAndCentre<'_> {
-    /// Returns the undecided result of a set: the reason is its width if the flight from its centre is decided.
+    /// The undecided result of a set: its reason is the set's width if the flight from the centre is decided.
     #[cold]
     fn undecided_of_set(doubt: Undecided, centre: Result<Bracket, Undecided>) -> Undecided {
         match centre {
@@ -167,7 +167,7 @@ impl Verifier for SetAndCentre<'_> {
     }
 }
 
-/// Takes the proposal as it is.
+/// Takes the proposal without proof.
 pub(super) struct Unproved<'a>(pub &'a Flight<f64>);
 
 impl Unproved<'_> {
@@ -211,7 +211,7 @@ impl Verifier for Unproved<'_> {
     }
 }
 
-/// Returns the undecided result that a flight without a proposed contact has.
+/// Undecided result of a flight without a proposed contact.
 #[cold]
 fn unproposed(flight: &Flight<f64>, none: NoProposal) -> Undecided {
     match none {
@@ -226,7 +226,7 @@ fn unbracketed(from: Wall, target: Target) -> Undecided {
     Undecided::graze(Some(target.wall(from)))
 }
 
-/// Returns the undecided result of a bracketed contact before which another one is not excluded.
+/// Undecided result of a bracketed contact before which another contact is not excluded.
 #[cold]
 fn doubted<const WIDE: bool>(bounds: Bounds<'_, WIDE>, doubt: Doubt, arrival: Arrival) -> Undecided {
     let flight = bounds.flight;

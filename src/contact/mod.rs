@@ -42,7 +42,7 @@ pub enum Verdict<T> {
 }
 
 impl<T> Verdict<T> {
-    /// Returns what was proved, if it was.
+    /// The proved value; `None` if undecided.
     pub fn certified(self) -> Option<T> {
         match self {
             Self::Certified(value) => Some(value),
@@ -58,14 +58,14 @@ pub enum Reason {
     Graze,
     /// The set of states has become too wide to decide.
     Width,
-    /// The width requested is beyond this arithmetic.
+    /// The requested width is beyond this arithmetic.
     Precision,
     /// The flight is longer than the solver follows, or has no end that it can prove.
     Budget,
 }
 
 impl Reason {
-    /// Returns the word of the orbit JSON.
+    /// Name of the reason in the orbit JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -76,12 +76,12 @@ impl Reason {
     }
 }
 
-/// A question that stayed open, with the best enclosure of where.
+/// An undecided question, with the best enclosure of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Undecided {
     /// The reason.
     pub reason: Reason,
-    /// The wall that may be touched, when it is one.
+    /// Wall that may be touched, if the question is about one.
     pub wall: Option<Wall>,
     /// Encloses the first contact, in forcing periods after the start of the flight, where it is proved but not narrowly enough.
     pub contact: Option<Ball>,
@@ -110,7 +110,7 @@ impl Undecided {
         Self { reason: Reason::Width, wall: Some(contact.wall), contact: Some(contact.time), lasting: false }
     }
 
-    /// More digits are requested than `contact` is known to.
+    /// More digits are requested than those of `contact`.
     pub(crate) fn precision(contact: &Contact<Ball>) -> Self {
         Self { reason: Reason::Precision, ..Self::width(contact) }
     }
@@ -123,7 +123,7 @@ pub struct Contact<N> {
     pub wall: Wall,
     /// Whole forcing periods between the phase of the start and [`Contact::phase`].
     pub turns: f64,
-    /// The phase on arrival, less the whole forcing periods.
+    /// Phase on arrival, less the whole forcing periods.
     pub phase: N,
     /// `h`: the time since the start.
     pub time: N,
@@ -209,7 +209,7 @@ pub fn first_contact(flight: &Flight<f64>, margins: &Margins, radii: Radii) -> V
     }
 }
 
-/// Returns the first contact of a flight in plain double precision: fast, and proved in no way.
+/// Approximates the first contact of a flight in plain double precision: fast, without proof.
 ///
 /// `T` is [`Kernel`] or [`crate::number::Std`]. `None` when no contact is found.
 #[inline]

@@ -19,24 +19,24 @@ const MOST_STEPS: u32 = 64;
 /// Newton steps to the end of a hop: each doubles the digits of a guess that is right for short ones.
 const MOST_HOP_STEPS: u32 = 8;
 
-/// Flights longer than this many forcing periods are not followed: the phase kernel ends there.
+/// Longest flight that is followed, in forcing periods: the domain of the phase kernel ends there.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 39) as f64;
 
-/// Returns whether a phase is within 2 forcing periods of 0.
+/// Whether a phase is within 2 forcing periods of 0.
 ///
-/// Lemma C4: mirroring it rounds by at most 2 UNIT then; orbits count whole forcing periods apart.
+/// Lemma C4: then mirroring rounds the phase by at most 2 UNIT; orbits count whole forcing periods apart.
 #[inline(always)]
 pub(super) fn is_phase(phase: f64) -> bool {
     phase.abs() < 2.0
 }
 
-/// The last iterate of the solver: where it stood, what it saw, and the step that leads to the root.
+/// Last iterate of the solver: its place, the values there, and the step that leads to the root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Iterate {
     pub target: Target,
     /// Whole forcing periods since the phase of the start.
     pub turns: f64,
-    /// The phase of arrival less the whole forcing periods; for a hop the time since the start.
+    /// Phase of arrival less the whole forcing periods; for a hop the time since the start.
     pub at: f64,
     /// `z - target` there.
     pub residual: f64,
@@ -75,7 +75,7 @@ pub(crate) enum NoProposal {
     TooLong,
 }
 
-/// The first contact of `flight`, as far as doubles can tell, as `judge` sees it.
+/// The first contact of `flight`, as far as doubles can tell, passed to `judge`.
 #[inline(always)]
 pub(crate) fn propose<T: Trigonometry, J: Verifier>(flight: &Flight<f64>, judge: &J) -> J::Answer {
     if flight.is_monotone() {
@@ -122,7 +122,7 @@ pub(super) struct Search {
     pub high: f64,
 }
 
-/// Returns the bracket of the contact on a given piece of a flight that has extrema.
+/// Bracket of the contact on a given piece of a flight that has extrema.
 #[inline(always)]
 pub(super) fn on_piece(flight: &Flight<f64>, extrema: &Extrema, piece: Piece) -> Search {
     let target = piece.target;
@@ -157,7 +157,7 @@ pub(super) fn on_monotone(flight: &Flight<f64>) -> (Search, f64) {
 }
 
 impl Search {
-    /// Returns what is seen here, and whether the next step is as good as exact.
+    /// Values at the current place, and whether the next step is as good as exact.
     #[inline(always)]
     pub fn look<T: Trigonometry>(&self, flight: &Flight<f64>) -> (Iterate, bool) {
         let Self { target, turns, at, .. } = *self;
@@ -207,17 +207,17 @@ fn refine<T: Trigonometry>(flight: &Flight<f64>, mut search: Search) -> Iterate 
     }
 }
 
-/// The guess is right for short hops; one of up to a sixteenth of a forcing period is found from it.
+/// Durations of hops, in forcing periods, that Newton's steps find from the guess, which is right for short hops.
 const HOPS: RangeInclusive<f64> = 4.909093465297727e-91..=0.0625;
 
-/// Returns the duration of a hop under constant acceleration, if Newton steps from there lead to its end.
+/// Duration of a hop under constant acceleration, if Newton steps from there lead to its end.
 #[inline(always)]
 pub(super) fn hop_guess(flight: &Flight<f64>) -> Option<f64> {
     let guess = -2.0 * flight.velocity / flight.acceleration_at(flight.sin);
     HOPS.contains(&guess).then_some(guess)
 }
 
-/// Returns the state `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
+/// State `at` forcing periods after the start on a wall, at most an eighth: the departure root divided out.
 #[inline(always)]
 pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, at: f64) -> (Iterate, SmallAngle) {
     let departure = T::departure(at);
@@ -229,13 +229,13 @@ pub(super) fn look_near<T: Trigonometry>(flight: &Flight<f64>, target: Target, a
 }
 
 impl Iterate {
-    /// Returns whether it is on a hop: falling, with acceleration towards the wall.
+    /// Whether the iterate is on a hop: falling, with acceleration towards the wall.
     #[inline(always)]
     pub fn is_on_hop(&self) -> bool {
         (self.velocity < 0.0) & (self.sin < 0.0)
     }
 
-    /// Returns whether a hop's next Newton step is as good as exact: its error, relative to the time, is about `(step/time)^2`.
+    /// Whether a hop's next Newton step is as good as exact: its error, relative to the time, is about `(step/time)^2`.
     #[inline(always)]
     pub fn is_last_of_hop(&self) -> bool {
         self.step.abs() <= 2f64.powi(-28) * self.at
@@ -262,19 +262,19 @@ fn hop<T: Trigonometry>(flight: &Flight<f64>) -> Option<(Iterate, SmallAngle)> {
     None
 }
 
-/// Returns whether the far wall may be reached within `time` forcing periods.
+/// Whether the far wall may be reached within `time` forcing periods.
 #[inline(always)]
 pub(super) fn reaches_far(flight: &Flight<f64>, time: f64) -> bool {
     flight.velocity * time >= 1.0
 }
 
-/// The forcing periods to take off a phase: none up to one forcing period, where the phase itself is as fine.
+/// Forcing periods to take off a phase: none up to one forcing period, where the phase itself is as fine.
 #[inline(always)]
 fn whole_turns(phase: f64) -> f64 {
     if phase.abs() <= 1.0 { 0.0 } else { phase.round() }
 }
 
-/// Returns the `x` in `[0, 1]` at which `3 x^2 - 2 x^3` is `v`, to within 0.004: a guess for a piece with flat ends.
+/// The `x` in `[0, 1]` at which `3 x^2 - 2 x^3` is `v`, to within 0.004: a guess for a piece with flat ends.
 #[inline(always)]
 pub(super) fn inverse_smoothstep(v: f64) -> f64 {
     let v = v.clamp(0.0, 1.0);

@@ -50,17 +50,17 @@ impl TrueFlight {
         Truth::turn() * self.beta() * self.sin_cos(time).0
     }
 
-    /// Returns the zero of `z - target` that Newton's method finds from `near`, where it converges.
+    /// The zero of `z - target` that Newton's method finds from `near`, where it converges.
     pub fn contact(&self, target: f64, near: &Truth) -> Truth {
         newton(near, |time| (self.height_at(time) - target).over(&self.velocity_at(time)))
     }
 
-    /// Returns the extremum that Newton's method finds from `near`.
+    /// The extremum that Newton's method finds from `near`.
     pub fn extremum(&self, near: &Truth) -> Truth {
         newton(near, |time| self.velocity_at(time).over(&self.acceleration_at(time)))
     }
 
-    /// Returns whether it is proved to lie beyond a wall at this time.
+    /// Whether the ball is proved to be beyond a wall at this time.
     pub fn is_outside(&self, time: &Truth) -> bool {
         let z = self.height_at(time);
         z.exceeds(1.0) || (-z).exceeds(0.0)
@@ -105,7 +105,7 @@ impl Case {
         Margins::new(&self.pair)
     }
 
-    /// Returns the member at other places.
+    /// The member of the set at other places.
     pub fn truth_at(&self, [alpha, phase, velocity, height]: [f64; 4]) -> TrueFlight {
         let Radii { phase: of_phase, velocity: of_velocity, height: of_height } = self.radii;
         let inside = self.inside.map(|height| Ball::new(height, of_height));
@@ -118,7 +118,7 @@ impl Case {
         }
     }
 
-    /// Returns the member.
+    /// The member of the set at `places`.
     pub fn truth(&self) -> TrueFlight {
         self.truth_at(self.places)
     }
@@ -195,7 +195,7 @@ pub(super) fn assert_first(truth: &TrueFlight, found: &Contact<Ball>) -> Result<
     Ok(time)
 }
 
-/// Asserts that the extrema of the first forcing periods, and the last ones before the contact, do not lie beyond a wall.
+/// Asserts that the extrema of the first forcing periods, and the last ones before the contact, are not beyond a wall.
 fn assert_clear(flight: &Flight<f64>, truth: &TrueFlight, contact: &Truth) -> Result<(), TestCaseError> {
     if flight.drift.abs() >= flight.beta {
         return Ok(());

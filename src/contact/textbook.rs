@@ -7,7 +7,7 @@
 //! - the ball moves one way and ends beyond a wall, so there is one contact in the piece, and Newton's method finds it,
 //! - neither, and the piece is halved.
 //!
-//! Nothing here is cleverer than that: it is slow, and it is the second judge of [`super::first_contact`]. Lemma I3 of
+//! Nothing here is cleverer than that. The method is slow, and serves as a second verifier of [`super::first_contact`]. Lemma I3 of
 //! `docs/proofs/intervals.md#I3`, same label.
 
 use std::cmp::Ordering;
@@ -21,9 +21,9 @@ use crate::number::inari::between;
 use crate::number::{Enclosing, Number, Wave};
 use crate::pair::Inward;
 
-/// The first piece, in forcing periods; later ones are at least as long before they are halved.
+/// Length of the first piece, in forcing periods; later pieces are at least as long before they are halved.
 const FIRST_PIECE: f64 = 0.125;
-/// No piece is shorter: the wall is then called grazed.
+/// Length of the shortest piece: a wall that is still in doubt there is called grazed.
 const MIN_PIECE: f64 = 1.0 / (1_u128 << 100) as f64; // exact: a power of two
 /// Pieces that are looked at, halved ones included, before the flight is called too long.
 const MAX_PIECES: usize = 10_000;
@@ -105,7 +105,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Returns whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
+    /// Whether the height rises all through the piece: by its first derivative there that is not 0 (Lemma I3 (a)).
     fn rises(&self, piece: Interval, velocity: Interval) -> bool {
         let (flight, starts) = (self.0, |x: Interval| piece.contains(0.0) && x.inf() >= 0.0);
         if velocity.inf() > 0.0 || !starts(flight.velocity) {
@@ -116,7 +116,7 @@ impl Walk<'_> {
         flight.acceleration_at(sin).inf() > 0.0 || starts(flight.acceleration_at(flight.sin)) && jerk.inf() > 0.0
     }
 
-    /// Returns whether the flight starts on its wall, which it can leave by a rise only.
+    /// Whether the flight starts on its wall, which it can leave by a rise only.
     fn is_on_wall(&self) -> bool {
         self.0.height.inf() <= 0.0
     }
@@ -231,12 +231,12 @@ mod tests {
             }
         }
 
-        /// Returns the contact by the textbook method.
+        /// Contact by the textbook method.
         fn contact(&self) -> Verdict<Contact<Interval>> {
             first_contact(&self.flight(0.0, 0.0))
         }
 
-        /// Returns the contact by the closed form.
+        /// Contact by the closed form.
         fn ours(&self) -> Verdict<Contact<Ball>> {
             let (pair, sin_cos) = (self.pair(), kernel::sin_cos(self.phase));
             let (flight, height) = match self.height {

@@ -11,7 +11,7 @@ use crate::pair::{ImpactPair, Wall};
 use crate::shaken::{Location, Origin, State};
 use crate::turns;
 
-/// Asks a pair for the impact that follows a state on a wall.
+/// Encloses the impact that follows a state on a wall, for one pair.
 ///
 /// ```
 /// use impact_pair::orbit::Arrivals;
@@ -38,14 +38,14 @@ pub struct Arrival {
     pub wall: Wall,
     /// The mapping that leads there.
     pub mapping: Mapping,
-    /// Bounds of its time \[time\].
+    /// Bounds of the time of the impact \[time\].
     pub time: [f64; 2],
-    /// Bounds of `y'` just before it \[length/time\].
+    /// Bounds of `y'` just before the impact \[length/time\].
     pub velocity: [f64; 2],
 }
 
 impl Arrivals {
-    /// Returns the impact map of a pair, with states and bounds as doubles.
+    /// The impact map of a pair, with states and bounds as doubles.
     ///
     /// # Errors
     /// Returns an error if a value is beyond the range of double-precision flights.
@@ -57,10 +57,10 @@ impl Arrivals {
         Ok(Self { clock, given, dial })
     }
 
-    /// Returns the impact that follows the state on a wall at a time, with this velocity just before the impact, both exact.
+    /// Encloses the impact after an exact state: wall, time, and velocity just before the impact on that wall.
     ///
-    /// **Enclosure** (Lemmas C1-C6): of all parameters of the pair the next contact with a wall is on that wall and in these bounds.
-    /// **Undecided when** doubles do not decide it, and where the ball comes to rest instead.
+    /// **Enclosure** (Lemmas C1-C6): for all parameters of the pair the next contact with a wall is on the returned wall and in its bounds.
+    /// **Undecided when** doubles do not decide the contact, and where the ball comes to rest instead.
     ///
     /// # Errors
     /// Returns an error if a number is not finite or beyond the range that is counted, or if the velocity does not point at the wall.

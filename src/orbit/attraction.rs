@@ -1,4 +1,4 @@
-//! At the end of an orbit: whether it is proved to converge to a periodic one. Lemmas Q1-Q5
+//! Proof, at the end of an orbit, that it converges to a periodic orbit. Lemmas Q1-Q5
 
 use std::cmp::Ordering;
 
@@ -16,7 +16,7 @@ use crate::watch::Watch;
 
 /// Number of the last impacts that are kept.
 const KEPT_IMPACTS: usize = 4096;
-/// An attractor's orbit is enclosed to N digits at most.
+/// Greatest number of digits of the enclosure of an attractor's orbit.
 const DIGITS: u32 = 100;
 /// Bits in which the last impacts are followed again, where they are too wide in doubles.
 const NARROW_BITS: u32 = 128;
@@ -41,7 +41,7 @@ impl Recent {
         self.next = (self.next + 1) % KEPT_IMPACTS;
     }
 
-    /// Returns the impacts that are kept, in order of time.
+    /// The kept impacts in order of time.
     fn in_order(&self) -> Vec<Impact> {
         let (late, early) = self.impacts.split_at(self.next.min(self.impacts.len())); // exact: an index
         [early, late].concat()
@@ -49,7 +49,7 @@ impl Recent {
 }
 
 impl Orbit {
-    /// The stable periodic orbit that the motion is proved to converge to, once all that was requested is listed. Lemma Q3
+    /// Proves the stable periodic orbit that the motion converges to, once all that was requested is listed; else `None`. Lemma Q3
     ///
     /// **Cost**: none to speak of for an orbit that has not come near one of its last 128 states, as most chaotic ones
     /// have not; milliseconds otherwise.
@@ -75,8 +75,8 @@ impl Orbit {
         find_attractor(&counted(impacts.clone()), (digits, self.listed), watch, problem, narrower)
     }
 
-    /// The last `count` impacts listed, or fewer, more narrowly: the motion from the bounds of the first of them on, followed in more bits than
-    /// doubles have. Where it contracts, what is rounded is then all that remains of the bounds.
+    /// The last `count` listed impacts, or fewer, enclosed more narrowly: the motion starts from the bounds of the first of them and is followed
+    /// in more bits than doubles have. Where the motion contracts, only roundings then remain of these bounds.
     fn narrower(&self, impacts: &[Impact], count: usize) -> Vec<Impact> {
         // Q3: without a rest or a graze between them
         let is_flown = |impact: &Impact| impact.index > self.followed.from.index;
@@ -99,8 +99,8 @@ impl Orbit {
         if narrow.len() == rest.len() { narrow } else { Vec::new() }
     }
 
-    /// Returns whether some periodic orbit with impacts may attract, for each member of the data: none does if `e = 1`, nor if nothing moves
-    /// the box. Lemma Q4
+    /// Whether some periodic orbit with impacts may attract, for each member of the data: none does if `e = 1`, nor if nothing moves the box.
+    /// Lemma Q4
     fn may_attract(&self) -> bool {
         let pair = &self.engine.given.pair;
         let loses = pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Less);

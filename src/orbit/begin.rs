@@ -18,11 +18,11 @@ use crate::shaken::{Origin, State};
 use crate::{Error, Scene, rest};
 
 impl Orbit {
-    /// Returns the orbit of `pair` from `start`.
+    /// The orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// Returns an error if the start is not in the box of `pair`, if the digits or bits are not accepted, if a value is beyond the range of
-    /// double-precision flights, or if multiprecision is requested and this build has none.
+    /// If the start is not in the box of `pair`, if the digits or bits are not accepted, if a value is beyond the range of double-precision
+    /// flights, or if multiprecision is requested and this build has none.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         settings.require_accepted()?;
         let shown = match settings.arithmetic {
@@ -83,7 +83,7 @@ impl Orbit {
         Ok(orbit)
     }
 
-    /// Returns the orbit of a scene; errors have the line in the scene file.
+    /// The orbit of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Orbit::new`].
@@ -116,7 +116,7 @@ impl Cursor {
 }
 
 impl Followed {
-    /// Returns a state that is followed: the origin of `given`, if `is_given`, or a box.
+    /// State that is followed: the origin of `given`, if `is_given`, or a box.
     pub(super) fn new(from: Cursor, is_given: bool, given: &Given, settings: &Settings) -> Self {
         let is_proved = is_given && settings.arithmetic != Arithmetic::Float;
         let still = || given.shaken.still(&given.origin);
@@ -153,7 +153,7 @@ fn shadowed(
     shaken().spliced(splice, left).ok_or_else(|| Splice::refused(spliced))
 }
 
-/// Returns the phase at which to stop, not before the start.
+/// The phase at which to stop, not before the start.
 fn until(clock: &Clock, start: &Start, time: &Exact) -> Result<Phase, Error> {
     if time.compare(start.time()) == Some(Ordering::Less) {
         let accepted = format!("must be at least start.time, {}", start.time());

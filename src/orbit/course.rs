@@ -9,10 +9,10 @@ use crate::shaken::{Location, State};
 
 /// A flight of an orbit over the whole set of its states, enclosed in doubles, under any number of harmonics.
 ///
-/// **Equations** (11), (12): `y = offset + c h - E`, `y' = c - E'`, `h` after the phase it is measured from.
+/// **Equations** (11), (12): `y = offset + c h - E`, `y' = c - E'`, `h` after the phase that the flight is measured from.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
-    /// Whole forcing periods since the clock's origin where the flight is measured from, and the rest of its phase.
+    /// Phase that the flight is measured from: whole forcing periods since the clock's origin, and the rest.
     turns: i64,
     phase: Ball,
     offset: Ball,
@@ -54,7 +54,7 @@ fn on(wall: Wall) -> Ball {
 }
 
 impl Orbit {
-    /// Returns the flight from the requested start, or from those near by of a shadowed orbit, and its phase: whole forcing periods and the rest.
+    /// Flight from the requested start, or from the start of a shadowed orbit, and its phase: whole forcing periods and the rest.
     pub fn first_course(&self) -> (Course, i64, Ball) {
         let State { turns, phase, velocity, .. } = self.initial;
         let course = match self.initial.place {
@@ -64,17 +64,17 @@ impl Orbit {
         (course, turns, phase)
     }
 
-    /// Returns the flight that an impact begins. **Equation** (15)
+    /// Flight that begins with an impact. **Equation** (15)
     pub fn course_after(&self, impact: &Impact) -> Course {
         self.leaving(impact.wall, impact.turns, impact.phase, self.engine.pair.rebound_of(impact.velocity))
     }
 
-    /// Returns the flight that ends with an impact, measured backwards from it: it holds whatever a graze before it may have done.
+    /// Flight that ends with an impact, measured backwards from the impact: it holds both continuations of a graze before.
     pub fn course_before(&self, impact: &Impact) -> Course {
         self.leaving(impact.wall, impact.turns, impact.phase, impact.velocity)
     }
 
-    /// Returns the flight that begins with a release, with zero velocity.
+    /// Flight that begins with a release, with zero velocity.
     pub fn course_from(&self, release: &Touch) -> Course {
         let (turns, phase) = release.at();
         self.leaving(release.wall, turns, phase, Ball::exact(0.0))
@@ -91,25 +91,25 @@ impl Orbit {
         Course { turns, phase, offset: height + shift, drift: velocity + speed }
     }
 
-    /// Returns the point of a flight at the phase of `turns` since the clock's origin and the rest; `None` beyond doubles.
+    /// Point of a flight at a phase: `turns` forcing periods since the clock's origin, and the rest; `None` beyond doubles.
     pub fn course_point(&self, course: &Course, turns: i64, phase: Ball) -> Option<CoursePoint> {
         let (displacement, velocity) = self.along(course, turns, phase);
         self.point((turns, phase), displacement, velocity, Forces::Flies)
     }
 
-    /// Returns the ball on its wall, just before and just after an impact. **Equation** (15)
+    /// States of the ball on its wall, just before and just after an impact. **Equation** (15)
     pub fn impact_points(&self, impact: &Impact) -> Option<[CoursePoint; 2]> {
         let Impact { wall, turns, phase, velocity, .. } = *impact;
         let on_wall = |velocity| self.point((turns, phase), on(wall), velocity, Forces::Flies);
         Some([on_wall(velocity)?, on_wall(self.engine.pair.rebound_of(velocity))?])
     }
 
-    /// Returns the point of the motion at that phase while the ball rests on `wall`.
+    /// Point of the motion at a phase while the ball rests on `wall`.
     pub fn rest_point(&self, wall: Wall, turns: i64, phase: Ball) -> Option<CoursePoint> {
         self.point((turns, phase), on(wall), Ball::exact(0.0), Forces::Rests)
     }
 
-    /// Returns the state in the units of the scene, from forcing periods and gaps.
+    /// State in the units of the scene, from forcing periods and gaps.
     fn point(
         &self,
         (turns, phase): (i64, Ball),

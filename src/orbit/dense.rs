@@ -32,7 +32,7 @@ enum Part {
 pub struct Dense {
     orbit: Orbit,
     parts: Vec<(Phase, Part)>,
-    /// The exact start, unless it is another one that is followed.
+    /// Exact start; `None` if the orbit of a start near by is followed.
     start: Option<Exact>,
     dial: PhaseConverter,
 }
@@ -103,15 +103,15 @@ impl Dense {
         Self { parts: parts.parts, start, dial: PhaseConverter::new(orbit.clock()), orbit }
     }
 
-    /// Returns the orbit.
+    /// The orbit.
     pub fn orbit(&self) -> &Orbit {
         &self.orbit
     }
 
-    /// Returns bounds of `y` and `y'` at a time; `None` before its start, after what it lists, and while
-    /// infinitely many impacts pass or nothing is proved.
+    /// Bounds of `y` and `y'` at a time; `None` before the start, after the end of the list, and while infinitely many impacts pass or nothing is
+    /// proved.
     ///
-    /// If an impact may come before or after the time, they hold the states of both flights.
+    /// If an impact may come before or after the time, the bounds hold the states of both flights.
     pub fn at(&self, time: f64) -> Option<DenseState> {
         let (exact, phase) = (Exact::from_f64(time)?, self.dial.phase(time)?);
         let last = self.parts.len() - 1;
@@ -137,7 +137,7 @@ impl Dense {
         hull
     }
 
-    /// The state of a part at a phase; of a part that cannot be there, since the ball is in the gap, nothing.
+    /// State of a part at a phase; `Some(None)` for a flight that would be beyond a wall: the part cannot be there.
     fn state(&self, part: &Part, (turns, phase): Phase) -> Option<Option<DenseState>> {
         let orbit = &self.orbit;
         let point = match part {
@@ -150,7 +150,7 @@ impl Dense {
         Some(inside.map(|inside| [inside.to_f64_bounds().into(), point.velocity.to_f64_bounds().into()]))
     }
 
-    /// Returns whether the last part is proved to last up to a time.
+    /// Whether the last part is proved to last up to a time.
     fn lasts(&self, time: &Exact) -> bool {
         match self.orbit.outcome() {
             Some(Outcome::RestsForever(_) | Outcome::NeverImpacts) => true,
@@ -163,18 +163,18 @@ impl Dense {
     }
 }
 
-/// Forcing periods from a phase to another one.
+/// Forcing periods from one phase to another.
 fn between(from: Phase, to: Phase) -> Ball {
     // Lemma N1: exact below 2^53; beyond, rounding keeps the sign.
     Ball::exact(to.0.saturating_sub(from.0) as f64) + (to.1 - from.1)
 }
 
-/// Returns whether all of a ball is greater than 0.
+/// Whether all of a ball is greater than 0.
 fn is_certain(ball: Ball) -> bool {
     ball.mid() > ball.rad()
 }
 
-/// Converts times into phases, and back.
+/// Converts times into phases, and velocities into gap widths per forcing period.
 #[derive(Debug)]
 pub(super) struct PhaseConverter {
     rate: Enclosure,
@@ -188,7 +188,7 @@ impl PhaseConverter {
         Self { rate, shift, slowness }
     }
 
-    /// Returns the phase of a time.
+    /// Phase of a time.
     pub fn phase(&self, time: f64) -> Option<Phase> {
         let since = Enclosure::from_f64_bounds(time, time)?.mul(&self.rate, BITS).add(&self.shift, BITS);
         let whole = since.mid_rad().0.round(); // proposes: any whole number
@@ -196,7 +196,7 @@ impl PhaseConverter {
         Some((turns::after(0, whole)?, ball(&rest)))
     }
 
-    /// Returns a velocity in gap widths per forcing period.
+    /// Velocity in gap widths per forcing period.
     pub fn velocity(&self, velocity: f64) -> Option<Ball> {
         Some(ball(&Enclosure::from_f64_bounds(velocity, velocity)?.mul(&self.slowness, BITS)))
     }

@@ -7,7 +7,7 @@ use super::plan::Plan;
 use crate::exact::Exact;
 use crate::shaken::Origin;
 
-/// There is no motion in N bits.
+/// No motion: this build has no multiprecision.
 pub(super) fn motion<S>(_: Arc<S>, _: &Origin<Exact>, _: Plan) -> Option<Box<dyn Motion>> {
     None
 }

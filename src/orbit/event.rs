@@ -36,7 +36,7 @@ pub enum Progress {
 }
 
 impl Progress {
-    /// The same event N periods later; `None` where forcing periods are not counted any more.
+    /// The event `rounds` periods later; `None` where forcing periods are not counted any more.
     pub(super) fn after(&self, period: Period, rounds: u64) -> Option<Self> {
         let cycles = i64::try_from(period.cycles.checked_mul(rounds)?).ok()?;
         let mut event = self.clone();
@@ -59,14 +59,14 @@ impl Progress {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Outcome {
-    /// All the impacts requested.
+    /// All requested impacts are listed.
     ImpactsReached,
-    /// All the events up to the requested time, and those whose bounds contain it.
+    /// All events up to the requested time are listed, and those whose bounds contain it.
     TimeReached,
-    /// All that was requested, and from a release on the motion is proved to repeat exactly, for ever.
+    /// All that was requested is listed, and from a release on the motion is proved to repeat exactly, for ever.
     Periodic(Period),
-    /// All that was requested, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only where
-    /// [`Settings::attractor`](super::Settings::attractor) asks for it.
+    /// All that was requested is listed, and the motion is proved to converge to a stable periodic orbit (Lemma Q3); only if
+    /// [`Settings::attractor`](super::Settings::attractor) is set.
     Attracted(Box<Attractor>),
     /// The ball rests on its wall for ever: there is no excitation.
     RestsForever(Wall),
@@ -76,7 +76,7 @@ pub enum Outcome {
     Undecided {
         /// The reason.
         reason: Reason,
-        /// The wall concerned, when it is one.
+        /// The wall concerned, if there is one.
         wall: Option<Wall>,
         /// No wall is touched after the last event and before the first of these \[time\] (Lemma C7). The second encloses the next contact, where
         /// it is proved but not narrowly enough.
@@ -85,7 +85,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Returns the word of the orbit JSON.
+    /// Name of the outcome in the orbit JSON.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::ImpactsReached => "impacts-reached",

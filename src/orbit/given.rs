@@ -29,16 +29,16 @@ pub(super) struct Given {
 
 /// The motions under the excitation: what follows is compiled for each kind of it.
 pub(super) trait Motions: Shaken {
-    /// Returns the motion in plain doubles.
+    /// The motion in plain doubles.
     fn float(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
-    /// Returns the motion in doubles, certified.
+    /// The motion in doubles, certified.
     fn interval(self: Arc<Self>, origin: &Origin<Ball>) -> Box<dyn Motion>;
-    /// Near the given one, for as many impacts as are given, and after how many it does not expand, if it does not; `None` where no
-    /// chain begins.
+    /// A motion near the given one, for `impacts` impacts; also the number of impacts after which the motion does not expand, if so. `None` where
+    /// no chain begins.
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
-    /// Returns the motion near the given one, after the impacts that are proved in higher precision.
+    /// The motion near the given one, after the impacts that are proved in higher precision.
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
-    /// Returns the motion in the planned bits; `None` in a build without multiprecision.
+    /// The motion in the planned bits; `None` in a build without multiprecision.
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>>;
 }
 
@@ -65,7 +65,7 @@ impl<S: Flying> Motions for S {
 }
 
 impl Given {
-    /// Returns what is given of `pair` from `start`, given by the clock.
+    /// Pair and start in exact numbers, with times converted by the clock.
     pub fn new(pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Self, Error> {
         let either = Either::new(pair, clock)?;
         let origin = either.origin(pair, start, clock)?;
@@ -73,7 +73,7 @@ impl Given {
         Ok(Self { pair: Arc::new(pair.clone()), shaken, origin })
     }
 
-    /// Returns the origin in doubles.
+    /// The origin in doubles.
     pub fn origin_ball(&self) -> Result<Origin<Ball>, Error> {
         self.origin.map(ball)
     }
@@ -83,7 +83,7 @@ impl Given {
         self.origin = Origin::released(release);
     }
 
-    /// Returns the first motion from the origin that is tried in an arithmetic; one near by is another's.
+    /// First motion from the origin that is tried in an arithmetic; a motion near by has another origin.
     pub fn motion(&self, arithmetic: Arithmetic) -> Result<Box<dyn Motion>, Error> {
         let (shaken, origin) = (self.shaken.clone(), self.origin_ball()?);
         Ok(match arithmetic {
@@ -103,7 +103,7 @@ impl Given {
         })
     }
 
-    /// Returns the motion from the origin in as many bits as planned; `None` in a build without multiprecision.
+    /// Motion from the origin in as many bits as planned; `None` in a build without multiprecision.
     pub fn precise(&self, plan: Plan) -> Option<Box<dyn Motion>> {
         self.shaken.clone().precise(&self.origin, plan)
     }

@@ -53,7 +53,7 @@ use pending::Pending;
 use raise::PrecisionRaise;
 use width::Width;
 
-/// Bits beyond those of the requested digits that `auto` spends on a decision: what they leave undecided is a graze, or `Undecided`.
+/// Bits beyond those of the requested digits that `auto` spends on a decision: a question that they leave open is a graze, or `Undecided`.
 pub const VERDICT_BITS: u32 = 8192;
 
 /// An orbit as an iterator over its certified impacts; it ends with an [`Outcome`].
@@ -84,7 +84,7 @@ pub struct Orbit {
     clock: Clock,
     requested: Requested,
     engine: Engine,
-    /// The requested start; those near by, one of which has the orbit, of a shadowed one.
+    /// The requested start; for a shadowed orbit the starts near by, one of which has the orbit.
     initial: State<Ball>,
     followed: Followed,
     /// The state after the last impact or graze of the motion.
@@ -102,7 +102,7 @@ struct Requested {
     start: Start,
     settings: Settings,
     until: Option<Phase>,
-    /// Widths, of phases in forcing periods and of velocities in gap widths per forcing period.
+    /// Requested widths: of phases in forcing periods, and of velocities in gap widths per forcing period.
     widths: [Width; 2],
     /// Bits of what is printed beyond doubles.
     shown: u32,
@@ -125,13 +125,13 @@ struct Engine {
     raise: Option<PrecisionRaise>,
     /// The most bits of motions before the last release.
     bits: u32,
-    /// No chatter is shorter than the velocity before an impact times this, in forcing periods.
+    /// Lower bound of a chatter's duration over the velocity before an impact: forcing periods per gap width per forcing period.
     min_chatter_time_per_speed: f64,
     /// Greatest duration of chatter that is reported, in forcing periods; `None`: any that ends before the contact force does.
     max_reported_chatter: Option<f64>,
 }
 
-/// The state that the motion is followed from, and what is known of it: with another state all of it is another.
+/// State that the motion is followed from, and properties that belong to that state.
 #[derive(Clone, Copy, Debug)]
 struct Followed {
     from: Cursor,
@@ -156,47 +156,47 @@ pub(super) struct Cursor {
 }
 
 impl Orbit {
-    /// Converts phases into times and reduced velocities into velocities.
+    /// Clock that converts phases into times, and velocities without units into velocities of the scene.
     pub fn clock(&self) -> &Clock {
         &self.clock
     }
 
-    /// Returns the pair.
+    /// The pair.
     pub fn pair(&self) -> &ImpactPair {
         &self.engine.given.pair
     }
 
-    /// Returns the requested start.
+    /// The requested start.
     pub fn start(&self) -> &Start {
         &self.requested.start
     }
 
-    /// Returns the arithmetic.
+    /// The requested arithmetic.
     pub fn arithmetic(&self) -> Arithmetic {
         self.requested.settings.arithmetic
     }
 
-    /// Returns the maximum precision of an impact so far, in bits: 53 in double precision.
+    /// Maximum precision of an impact so far, in bits: 53 in double precision.
     pub fn bits(&self) -> u32 {
         self.engine.bits.max(self.engine.motion.bits()) // shown
     }
 
-    /// Returns the bits of each impact, once it is computed in multiprecision.
+    /// Bits of each impact, once computed in multiprecision.
     pub fn plan(&self) -> Option<&Plan> {
         self.engine.motion.plan()
     }
 
-    /// Returns the outcome of the orbit; `None` while it continues.
+    /// Outcome of the orbit; `None` while the orbit continues.
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()
     }
 
-    /// Returns the first impact whose enclosure is wider than the requested digits, if one is.
+    /// First impact whose enclosure is wider than the requested digits, if there is one.
     pub fn first_wide(&self) -> Option<u64> {
         self.first_wide
     }
 
-    /// Returns the number of impacts so far.
+    /// Number of impacts so far.
     pub fn listed(&self) -> u64 {
         self.listed
     }
@@ -208,7 +208,7 @@ impl Orbit {
         self.advance_within(&Unwatched)
     }
 
-    /// The same; where the watch stops what comes after the last event, the orbit has no outcome yet.
+    /// Advances as [`advance`](Self::advance) does; where the watch stops what comes after the last event, the orbit has no outcome yet.
     fn advance_within(&mut self, watch: &dyn Watch) -> Progress {
         let progress = self.fly().map_or_else(|other| other, Progress::Impact);
         if let Progress::Ended = progress {
@@ -217,7 +217,7 @@ impl Orbit {
         progress
     }
 
-    /// The next impact, or else what has happened instead: impacts, of which there are many, are not moved about.
+    /// The next impact, or else the event that happened instead: impacts, of which there are many, are not moved about.
     #[inline(always)]
     fn fly(&mut self) -> Result<Impact, Progress> {
         if self.outcome.is_none() && self.requested.settings.impacts.is_some_and(|impacts| self.listed >= impacts) {
@@ -284,7 +284,7 @@ impl Orbit {
         event
     }
 
-    /// Returns whether the last bounce is so slow that it may be the first of a chatter: most are not.
+    /// Whether the last bounce is so slow that it may be the first of a chatter: most are not.
     #[inline]
     fn may_rest(&self) -> bool {
         let Cursor { index, wall: Some(wall), phase, velocity, .. } = self.cursor else { return false };
@@ -296,14 +296,14 @@ impl Orbit {
         shortest <= most && index == self.listed
     }
 
-    /// All that was requested is listed.
+    /// Ends the list: all that was requested is listed.
     #[cold]
     fn finish(&mut self, reached: Outcome) -> Progress {
         (self.pending.reached, self.pending.is_expected) = (Some(reached), true);
         Progress::Ended
     }
 
-    /// Looks for an attractor once all that was requested is listed; where the watch stops that, there is no outcome yet.
+    /// Looks for an attractor once all that was requested is listed; where the watch stops the search, there is no outcome yet.
     #[cold]
     fn conclude(&mut self, watch: &dyn Watch) {
         let Some(reached) = self.pending.reached.clone() else { return };
@@ -319,13 +319,13 @@ impl Orbit {
         (self.pending.reached, self.outcome) = (None, found.or(Some(reached)));
     }
 
-    /// Returns the requested time \[time\], if all events up to it are listed because it ended the list.
+    /// Requested time \[time\], if this time ended the list: then all events up to it are listed.
     pub fn listed_until(&self) -> Option<&Exact> {
         self.requested.settings.until.as_ref().filter(|_| self.pending.is_late)
     }
 
-    /// Returns whether an event certainly comes after the time to stop at: by its listed bounds, `enclosed` being its phase
-    /// without the whole forcing periods.
+    /// Whether an event certainly comes after the time to stop at, by its listed bounds. `enclosed` is the event's phase without the whole
+    /// forcing periods.
     fn is_past(&self, turns: i64, phase: Ball, enclosed: impl FnOnce() -> Enclosure) -> bool {
         self.beyond_until(turns, phase).is_some_and(|ahead| {
             // V7: what doubles do not decide the bounds do
@@ -341,8 +341,8 @@ impl Orbit {
         Some(Ball::from_f64((turns - until.turns) as f64) + (phase - until.rest))
     }
 
-    /// Returns whether an event certainly comes before the time to stop at, or there is none: by its bounds, the phase without the whole
-    /// forcing periods.
+    /// Whether an event certainly comes before the time to stop at, or no such time is requested. `phase` bounds the event's phase without the
+    /// whole forcing periods.
     fn is_in_time(&self, turns: i64, phase: &Enclosure) -> bool {
         let Some(until) = &self.requested.settings.until else { return true };
         let latest = self.exact_time(turns, phase);
@@ -361,18 +361,18 @@ impl Orbit {
         }
     }
 
-    /// Returns the impacts listed that may come after the time to stop at by their bounds, and perhaps a few before.
+    /// The listed impacts that may come after the time to stop at by their bounds, and perhaps a few before.
     pub(crate) fn late(&self) -> &[Impact] {
         &self.pending.late
     }
 
-    /// Returns whether the listed bounds are past the exact time to stop at: to twice their bits, if that is irrational.
+    /// Whether the listed bounds are past the exact time to stop at; an irrational time is enclosed to twice the bits.
     #[cold]
     fn is_listed_past(&self, turns: i64, phase: &Enclosure) -> bool {
         self.is_after_until(&self.exact_time(turns, phase))
     }
 
-    /// Returns whether these times are all past the exact time to stop at: to twice their bits, if that is irrational.
+    /// Whether these times are all past the exact time to stop at; an irrational time is enclosed to twice the bits.
     fn is_after_until(&self, times: &Enclosure) -> bool {
         let until = self.requested.settings.until.as_ref();
         until.is_some_and(|until| match until.as_rational() {
@@ -381,7 +381,7 @@ impl Orbit {
         })
     }
 
-    /// The phase of the contact in hand as it is listed, without the whole forcing periods.
+    /// Phase of the current contact as listed, without the whole forcing periods.
     fn enclosed(&self, phase: Ball) -> Enclosure {
         self.engine.motion.enclosures(self.requested.shown).map_or_else(|| finite(phase), |(phase, _)| phase)
     }

@@ -18,11 +18,10 @@ pub(super) type StartBounds = (Enclosure, Enclosure);
 
 /// An arithmetic's way from one contact to the next.
 pub(super) trait Motion: std::fmt::Debug + Send {
-    /// Goes on to the next contact: its wall, phase and velocity, and the whole forcing periods passed, which are to be counted
-    /// (Lemma N1).
+    /// Goes on to the next contact: its wall, phase and velocity, and the whole forcing periods passed, which the caller counts (Lemma N1).
     fn next_contact(&mut self) -> Result<Contact<Ball>, Undecided>;
 
-    /// Starts, one of which has this motion, which then begins at that start; `None` where it is that of the requested start.
+    /// Starts near the requested one, one of which has this motion; `None` where the motion begins at the requested start.
     fn starts(&self) -> Option<Starts> {
         None
     }
@@ -42,7 +41,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// Returns the accuracy of the set of flights in bits: `-log2` of the greatest radius, relative for velocities after an impact.
+    /// Accuracy of the set of flights in bits: `-log2` of the greatest radius, relative for velocities after an impact.
     fn accuracy(&self) -> f64;
 
     /// Goes past a contact that may be a graze, into the gap, if that is proved; `None` leaves all as it was.
@@ -55,7 +54,7 @@ pub(super) trait Motion: std::fmt::Debug + Send {
         None
     }
 
-    /// Phase and velocity of the last contact more narrowly than in doubles, if they are known so; in N bits at most.
+    /// Encloses phase and velocity of the last contact in at most the given bits, where they are known more narrowly than in doubles.
     fn enclosures(&self, _: u32) -> Option<(Enclosure, Enclosure)> {
         None
     }
@@ -104,7 +103,7 @@ pub(super) struct IntervalMotion<S: Flying> {
     /// Whole forcing periods of the last contact.
     turns: i64,
     states: States<StateSet, Ball>,
-    /// Sines and cosines at the start of the next flight, where they are known better than by the phase.
+    /// Sines and cosines at the start of the next flight, where they are known better than from the phase.
     waves: Option<S::Waves<Ball>>,
 }
 
@@ -122,7 +121,7 @@ impl<S: Flying> IntervalMotion<S> {
         Self { shaken, turns, states, waves }
     }
 
-    /// Returns the contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
+    /// Contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
     #[inline(always)]
     fn step(&self, wall: Wall, set: &StateSet, is_release: bool) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let (phase, before) = (set.phase_ball(), set.velocity_ball());
@@ -131,7 +130,7 @@ impl<S: Flying> IntervalMotion<S> {
         Ok((image.all, set.image(&image, &jacobian.jacobian())))
     }
 
-    /// Returns the contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
+    /// Contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
     #[cold]
     fn first(&self, height: Ball, phase: Ball, velocity: Ball) -> Result<(Contact<Ball>, StateSet), Undecided> {
         let all = Launch::from_inside(height, self.turns, phase, velocity);

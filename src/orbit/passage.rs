@@ -10,16 +10,16 @@ use crate::pair::Inward;
 use crate::shaken::State;
 use crate::units::in_radians;
 
-/// Bits beyond those of a number of forcing periods and of what is shown.
+/// Bits beyond those of a number of forcing periods and of the listed bounds.
 const SPARE_BITS: u32 = 64;
 
 impl Orbit {
-    /// Returns the phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
+    /// Phase `W t + tau` of an impact \[rad\]: its lower bound in `[0, 2 pi)`, the upper one beyond if it may be 0.
     pub fn phase(&self, impact: &Impact) -> Enclosure {
         in_radians(&impact.enclosures().0, self.requested.shown)
     }
 
-    /// The phase `(W t + tau)/(2 pi)` of an impact, whole forcing periods included.
+    /// Phase `(W t + tau)/(2 pi)` of an impact, whole forcing periods included.
     pub(crate) fn turns_of(&self, impact: &Impact) -> Enclosure {
         let whole = self.clock.origin() + impact.turns;
         // X1: any number of bits encloses
@@ -31,17 +31,17 @@ impl Orbit {
         Enclosure::from_rational(&whole.into(), bits).add(&impact.enclosures().0, bits)
     }
 
-    /// Bits of what is shown beyond the digits.
+    /// Bits of printed bounds beyond the digits.
     pub(crate) fn shown_bits(&self) -> u32 {
         self.requested.shown
     }
 
-    /// Returns the bounds of an impact's velocity \[length/time\], before it.
+    /// Bounds of an impact's velocity \[length/time\], before the impact.
     pub fn velocity(&self, impact: &Impact) -> Enclosure {
         self.clock.velocity(&impact.enclosures().1)
     }
 
-    /// Returns the forcing periods from one impact to a later one.
+    /// Forcing periods from one impact to a later one.
     pub fn turns_between(&self, from: &Impact, to: &Impact) -> Ball {
         // More than 2^53 forcing periods are rounded, and then the ball of phases is not worth anything: it is widened by that.
         let whole = to.turns - from.turns;
@@ -50,14 +50,14 @@ impl Orbit {
         Ball::new(whole as f64, rounding.abs()) + (to.phase - from.phase) // N1
     }
 
-    /// Returns the Jacobian (A.7) of the flight between two impacts in a row, times in forcing periods, velocities in gap widths per forcing period.
+    /// Jacobian (A.7) of the flight between two impacts in a row, times in forcing periods, velocities in gap widths per forcing period.
     ///
-    /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later one may be a graze.
+    /// **Enclosure**: holds the Jacobian at every member of the two impacts. `None` when the later impact may be a graze.
     pub fn jacobian(&self, from: &Impact, to: &Impact) -> Option<[[Ball; 2]; 2]> {
         self.passage(self.engine.pair.restitution, from, to).map(Sheared::jacobian)
     }
 
-    /// Returns the Jacobian in two parts, from an impact or from the requested start; for a start inside the gap only the velocity's column is meant.
+    /// Jacobian in two parts, from an impact or from the requested start; for a start inside the gap only the velocity's column is meant.
     pub(super) fn sheared(&self, from: Option<&Impact>, to: &Impact) -> Option<Sheared<Ball>> {
         if let Some(from) = from {
             return self.passage(self.engine.pair.restitution, from, to);
@@ -70,21 +70,21 @@ impl Orbit {
         self.passage(restitution, &start, to)
     }
 
-    /// Returns the Jacobian (A.7) of a flight between two states.
+    /// Jacobian (A.7) of a flight between two states.
     fn passage(&self, restitution: Ball, from: &Impact, to: &Impact) -> Option<Sheared<Ball>> {
         let accelerations =
             [from, to].map(|impact| self.engine.given.shaken.displacement(impact.turns, impact.phase)[2]);
         Sheared::between(restitution, self.turns_between(from, to), accelerations, [from.velocity, to.velocity])
     }
 
-    /// Returns the requested start as impact number 0, when it is on a wall.
+    /// The requested start as impact number 0, when it is on a wall.
     pub fn start_impact(&self) -> Option<Impact> {
         let State { turns, phase, velocity, .. } = self.initial;
         let wall = self.initial.place.wall();
         wall.map(|wall| Impact { index: 0, mapping: None, wall, turns, phase, velocity, precise: None })
     }
 
-    /// Returns whether the ball is proved to leave the wall of an impact with a velocity that is not 0, or with an acceleration away from it. Lemma L3
+    /// Whether the ball is proved to leave the wall of an impact, with a velocity that is not 0 or an acceleration away from the wall. Lemma L3
     pub(crate) fn leaves(&self, impact: &Impact) -> bool {
         let moves = |x: Ball| x.certain_sign().is_some_and(Ordering::is_ne);
         let [_, _, acceleration] = self.engine.given.shaken.displacement(impact.turns, impact.phase);
@@ -92,7 +92,7 @@ impl Orbit {
             || impact.wall.inward(acceleration).certain_sign() == Some(Ordering::Greater)
     }
 
-    /// Returns whether all motions that start near one that comes to this rest come to it as well. Lemma L3
+    /// Whether all motions that start near a motion with this rest come to rest as well. Lemma L3
     pub(crate) fn forgets(&self, rest: &Rest) -> bool {
         let is_edge = self.engine.given.shaken.may_be_loose(rest.at.wall, rest.at.turns, &rest.at.phase);
         // Lemma L3: without loss neighbours bounce for ever.

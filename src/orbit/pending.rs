@@ -18,31 +18,30 @@ use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
 use crate::turns;
 
-/// Half the width, in gaps, that the bounds of the distance of a graze are shown with at most where they are narrower: a fourth of what
-/// `check` allows.
+/// Half of the least width, in gap widths, with which the bounds of a graze's distance are printed: a fourth of the width that `check` allows.
 const MOST_SHOWN: f64 = 1e-6 / 8.0;
 
 /// State of an orbit apart from flights: rests, releases, repetitions, and the end of the list.
 #[derive(Debug, Default)]
 pub(super) struct Pending {
-    /// There has been a rest, or a wall is never hit: the rest of this is to be looked at.
+    /// A rest has come, or no wall is ever hit: `pending` has to look at the other fields.
     pub is_expected: bool,
     /// The ball rests.
     pub resting: Option<Resting>,
     /// Number of grazes so far, of a motion that hits no wall.
     pub grazes: u64,
     pub recurrence: Recurrence,
-    /// All that was requested is listed: whether an attractor is proved is still to be asked.
+    /// All that was requested is listed, with this outcome; the proof of an attractor is still due.
     pub reached: Option<Outcome>,
-    /// No precision decides what is undecided at the end.
+    /// No precision decides the open question at the end.
     pub is_lasting: bool,
     /// The requested time has ended the list.
     pub is_late: bool,
-    /// The impacts listed whose bounds may reach past the requested time.
+    /// Listed impacts whose bounds may reach past the requested time.
     pub late: Vec<Impact>,
     /// The last impacts handed out.
     pub recent: Recent,
-    /// The starts one of which has the orbit, if it is a shadowed one.
+    /// Starts, one of which has the orbit, if the orbit is a shadowed one.
     pub near: Option<NearbyStart>,
 }
 
@@ -56,7 +55,7 @@ pub(super) enum Resting {
 }
 
 impl Orbit {
-    /// Returns the next event of a motion that has rested, or never hits a wall; `None` when the next flight is due.
+    /// The next event of a motion that has rested, or never hits a wall; `None` when the next flight is due.
     #[cold]
     pub(super) fn pending(&mut self) -> Option<Progress> {
         if self.pending.reached.is_some() {
@@ -74,7 +73,7 @@ impl Orbit {
         self.pending.resting.take().map(|resting| self.release(resting))
     }
 
-    /// The next graze of a motion that only grazes, once a forcing period, or not even that.
+    /// The next graze of a motion that only grazes, once per forcing period, or the end if it does not even graze.
     #[cold]
     fn graze_again(&mut self, still: Still) -> Progress {
         let Cursor { turns, phase, .. } = self.cursor;
@@ -117,7 +116,7 @@ impl Orbit {
         event
     }
 
-    /// The exact state that the motion is at, while it is still at the one that is followed.
+    /// Exact state of the motion, while it is still the one that is followed from.
     fn exactly(&self) -> Option<&Origin<Exact>> {
         let is_there = self.followed.is_given && self.cursor.index == self.followed.from.index;
         is_there.then_some(&self.engine.given.origin)
@@ -139,7 +138,7 @@ impl Orbit {
         self.rest(wall, &phase, time, is_still)
     }
 
-    /// The ball rests from `time` forcing periods after the last contact on, at the latest.
+    /// The ball rests from at most `time` forcing periods after the last contact on.
     #[cold]
     fn rest(&mut self, wall: Wall, now: &Enclosure, time: f64, for_ever: bool) -> Option<Progress> {
         if time > 0.0 && !self.bounces() {
@@ -169,13 +168,13 @@ impl Orbit {
         Some(self.record_event(Progress::Rest(Rest { at, is_accumulation: time > 0.0 })))
     }
 
-    /// The phases of a rest that comes `time` forcing periods after the last contact at the latest.
+    /// Phases of a rest that comes at most `time` forcing periods after the last contact.
     fn until_rest(&self, contact: &Enclosure, time: f64) -> Option<Enclosure> {
         let span = Enclosure::from_f64_bounds(0.0, time)?;
         Some(contact.add(&span, self.requested.shown.saturating_add(64))) // X1: any number of bits encloses
     }
 
-    /// Returns whether the time to stop at may come between the impacts of a chatter that is repeated: these have to be listed. Lemma V7
+    /// Whether the time to stop at may come between the impacts of a repeated chatter: these impacts have to be listed. Lemma V7
     fn cuts_a_repeated_rest(&self) -> bool {
         let (Some(until), Some(Period { cycles, .. })) = (self.requested.until, self.pending.recurrence.period())
         else {
@@ -210,7 +209,7 @@ impl Orbit {
             || self.requested.settings.arithmetic == Arithmetic::Float
     }
 
-    /// The ball leaves the wall it rests on; all that was not known of its state is forgotten.
+    /// The ball leaves the wall it rests on; the orbit goes on from the exact state of the release.
     #[cold]
     fn release(&mut self, resting: Resting) -> Progress {
         let release = match (resting, self.cursor.wall) {

@@ -1,11 +1,10 @@
 //! The number of bits for each impact of an orbit.
 //!
-//! Chaos costs bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of
-//! the length of a tangent vector that the Jacobians (A.7) carry along. A floating-point run finds how much that is. It
-//! leaves the true orbit after a hundred impacts of a chaotic one, but a neighbour's growth differs from the true one
-//! as sums of weakly dependent numbers do: by a few times the root of the number of impacts left. So impact `i` gets
-//! what was requested, what the rest of the orbit will eat, and that much more; precision falls as the orbit goes on.
-//! A plan proves nothing. One that falls short is raised, by what was missing.
+//! Chaos costs bits: an error made at impact `i` is `2^(g_k - g_i)` times as large at impact `k`, `g` the logarithm of the length of a tangent
+//! vector that the Jacobians (A.7) carry along. A floating-point run finds this growth. The run leaves the true orbit after a hundred impacts of
+//! a chaotic one. But the growth along a neighbour differs from the true one as sums of weakly dependent numbers do: by a few times the root of
+//! the number of impacts left. So impact `i` gets the requested bits, those that the rest of the orbit will lose, and this margin; precision
+//! falls as the orbit goes on. A plan proves nothing. A plan that falls short is raised, by the missing bits.
 
 // Labels: proposes throughout.
 
@@ -18,7 +17,7 @@ use crate::mapping::jacobian_between;
 use crate::number::LEAST_BITS;
 use crate::turns;
 
-/// Bits that constant factors eat.
+/// Bits that are lost to constant factors.
 const GUARD_BITS: f64 = 24.0;
 /// Standard deviations of the growth that are allowed for.
 const DEVIATIONS: f64 = 3.0;
@@ -30,7 +29,7 @@ const BLOCK: usize = 32;
 pub struct Plan {
     /// Bits lost after impact `i` in the rest of the orbit, by the floating-point run; 0 beyond its end.
     rest: Arc<[f32]>,
-    /// Impacts it looks ahead; the floating-point run may have ended before.
+    /// Number of impacts that the plan looks ahead; the floating-point run may have ended before.
     horizon: u64,
     /// Bits at the last impact.
     last: f64,
@@ -40,13 +39,13 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Returns the same bits for every impact.
+    /// The same bits for every impact.
     pub fn constant(bits: u32) -> Self {
         let bits = bits.max(LEAST_BITS);
         Self { rest: Arc::default(), horizon: u64::MAX, last: f64::from(bits), deviation: 0.0, most: bits }
     }
 
-    /// Returns the bits that the first `horizon` impacts of `run` need for relative widths of `2^-requested`; at most `most` bits.
+    /// The bits that the first `horizon` impacts of `run` need for relative widths of `2^-requested`; at most `most` bits.
     ///
     /// The run yields the bits that each impact loses.
     pub(super) fn new(run: impl Iterator<Item = f64>, horizon: u64, requested: f64, most: u32) -> Self {
@@ -67,7 +66,7 @@ impl Plan {
         Self { rest: growth.into(), horizon, last, deviation, most: most.max(LEAST_BITS) }
     }
 
-    /// Returns the bits of the state after `index` impacts.
+    /// Bits of the state after `index` impacts.
     pub fn bits(&self, index: u64) -> u32 {
         let index = usize::try_from(index).unwrap_or(usize::MAX).saturating_sub(1);
         let left = self.rest.len().saturating_sub(index);
@@ -76,12 +75,12 @@ impl Plan {
         (bits as u32).clamp(LEAST_BITS.min(self.most), self.most)
     }
 
-    /// Returns the number of impacts that the plan covers.
+    /// Number of impacts that the plan covers.
     pub(super) fn horizon(&self) -> u64 {
         self.horizon
     }
 
-    /// Raises all impacts by `missing` bits; whether that was possible.
+    /// Raises all impacts by `missing` bits; true if that was possible.
     pub(super) fn raise(&mut self, missing: f64) -> bool {
         let before = self.bits(0);
         self.last += missing.max(f64::from(LEAST_BITS));
@@ -125,7 +124,7 @@ impl Growth {
         Some(Self { shaken, run, turns, last, tangent: [1.0, 1.0], scale })
     }
 
-    /// Goes on to the next impact. Returns the bits that it loses, and the forcing periods that passed.
+    /// Goes on to the next impact. Returns the bits that the impact loses, and the forcing periods that passed.
     pub fn next_impact(&mut self) -> Option<(f64, f64)> {
         let contact = self.run.next_contact().ok()?;
         self.turns = turns::after(self.turns, contact.turns)?;
@@ -138,7 +137,7 @@ impl Growth {
         let [x, y] = self.tangent;
         let image = [a * x + b * self.scale * y, c / self.scale * x + d * y];
         let (before, after) = (x.hypot(y), image[0].hypot(image[1]));
-        // A dead impact forgets all.
+        // A perfectly plastic impact forgets all.
         let usable = after.is_normal();
         self.tangent = if usable { image.map(|x| x / after) } else { [1.0, 1.0] };
         Some((if usable { (after / before).log2() } else { 0.0 }, time))

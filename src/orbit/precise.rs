@@ -23,10 +23,10 @@ use crate::shaken::shaking::Shaking;
 use crate::shaken::{Flying, Location, Origin};
 use crate::turns;
 
-/// Bits below the radius of a set that its centre is not worth.
+/// Bits below the radius of a set that are negligible for its centre.
 const NEGLIGIBLE_BITS: i64 = 64;
 
-/// Returns the motion from an origin in as many bits as planned.
+/// Motion from an origin in as many bits as planned.
 pub(super) fn motion<S: Flying>(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
     Some(Box::new(PreciseMotion::new(shaken, origin, plan)))
 }
@@ -43,7 +43,7 @@ pub(super) struct PreciseMotion<S: Flying> {
     /// Whole forcing periods of the last contact.
     turns: i64,
     states: States<PreciseSet, MpBall>,
-    /// Its phases and velocities in doubles, where they are known.
+    /// Phases and velocities of the set in doubles, where they are known.
     doubles: Option<[Ball; 2]>,
     /// Sines and cosines at the start of the next flight from the centre, where they are known.
     waves: Option<S::Waves<MpBall>>,
@@ -60,7 +60,7 @@ pub(super) struct PreciseSet {
 }
 
 impl PreciseSet {
-    /// Returns the box of all states within two balls.
+    /// Box of all states within two balls.
     pub fn new(phase: &MpBall, velocity: &MpBall, scale: f64) -> Self {
         let unit = greatest_exponent(&[phase.rad(), velocity.rad()]);
         let shape = Shape::new(phase.rad().in_units_of(unit), velocity.rad().in_units_of(unit), scale);
@@ -74,7 +74,7 @@ impl PreciseSet {
         (ball(&self.phase, phase), ball(&self.velocity, velocity))
     }
 
-    /// Returns the same in doubles.
+    /// Phases and velocities in doubles.
     pub fn doubles(&self) -> [Ball; 2] {
         let (phase, velocity) = self.balls();
         [phase.to_ball(), velocity.to_ball()]
@@ -86,13 +86,13 @@ impl PreciseSet {
         (phase.rad().log2(), velocity.rad().log2())
     }
 
-    /// Phases and velocities as intervals, in N bits at most.
+    /// Phases and velocities as intervals, in at most `bits` bits.
     pub fn enclosures(&self, bits: u32) -> Option<(Enclosure, Enclosure)> {
         let (phase, velocity) = self.balls();
         Some((phase.enclosure_in(bits)?, velocity.enclosure_in(bits)?))
     }
 
-    /// Returns the image of the shape, in a unit that suits it and the noise of the centre.
+    /// Image of the shape, in a unit that suits the image and the noise of the centre.
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], phase: Magnitude, velocity: Magnitude, slope: Ball) -> (Shape, i64) {
         let edges = self.shape.edges.map(|edge| Magnitude::new(edge, self.unit));
         let unit = greatest_exponent(&[edges[0], edges[1], phase, velocity]);
@@ -105,12 +105,12 @@ impl PreciseSet {
     }
 }
 
-/// The exponent of the greatest of them, 0 when all are 0.
+/// Greatest exponent of the magnitudes, 0 when all are 0.
 fn greatest_exponent(magnitudes: &[Magnitude]) -> i64 {
     magnitudes.iter().filter_map(|x| x.exponent()).max().unwrap_or(0) // M4: any unit will do for nothing
 }
 
-/// The bits planned for an impact, but none that the width of the set would exceed by [`NEGLIGIBLE_BITS`] bits.
+/// Bits planned for an impact, but at most [`NEGLIGIBLE_BITS`] beyond the width of the set.
 fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     let planned = plan.bits(index);
     let (phase, velocity) = (set.shape.phase_radius(), set.shape.velocity_radius());
@@ -123,7 +123,7 @@ fn bits_for(plan: &Plan, set: &PreciseSet, index: u64) -> u32 {
     }
 }
 
-/// The result of a step: the contacts in doubles, the set after it, and the sines and cosines at its centre, if known.
+/// Result of a step: the contacts in doubles, the set after it, and the sines and cosines at its centre, if known.
 type Arrived<W> = (Contact<Ball>, PreciseSet, Option<W>);
 
 impl<S: Flying> PreciseMotion<S> {
@@ -147,7 +147,7 @@ impl<S: Flying> PreciseMotion<S> {
         Self { shaken, parameters, plan, index: 0, turns: origin.state.turns, states, doubles: None, waves }
     }
 
-    /// Returns the contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
+    /// Contacts of flights from a wall, and the set after them: **equations** (15), (A.1)-(A.7) over the set.
     fn step(&self, wall: Wall, set: &PreciseSet, is_release: bool) -> Result<Arrived<S::Waves<MpBall>>, Undecided> {
         let [bits, next_bits] = [self.index, self.index + 1].map(|index| bits_for(&self.plan, set, index));
         let parameters = self.shaken.rounded(&self.parameters, bits);
@@ -171,7 +171,7 @@ impl<S: Flying> PreciseMotion<S> {
         Ok((contact, PreciseSet { phase, velocity: velocity.mid().clone(), shape, unit }, waves))
     }
 
-    /// Returns the contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
+    /// Contacts of flights from inside the gap, and the set after them: the enclosure of all first contacts.
     fn first(
         &self,
         height: &MpBall,
@@ -239,7 +239,7 @@ impl<S: Flying> Motion for PreciseMotion<S> {
 }
 
 impl<S: Flying> PreciseMotion<S> {
-    /// Returns the flights of all states to the next contact.
+    /// Flights of all states to the next contact.
     fn launch(&self) -> Launch<MpBall> {
         match &self.states {
             States::Wall { wall, set, is_release } => {

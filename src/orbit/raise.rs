@@ -21,7 +21,7 @@ const FIRST_PLAN: u64 = 1 << 14;
 /// Impacts that a plan looks ahead at most: it holds a number for each.
 const MAX_PLAN: u64 = 1 << 22;
 
-/// The exact orbit, and how it was tried before.
+/// The exact orbit, and the earlier attempts at it.
 #[derive(Debug)]
 pub(super) struct PrecisionRaise {
     given: Given,
@@ -51,10 +51,10 @@ impl PrecisionRaise {
         Self { given, impacts, turns, requested, most, finest, verdict_bits, plan: None, before: None }
     }
 
-    /// Returns the motion from the start in more precision; `None` when that would not help.
+    /// Starts the motion again in more precision; `None` when that would not help.
     ///
-    /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits: the one before
-    /// that impact where a verdict is missing, the one after it where it is too wide.
+    /// The motion fell short on the way to the impact after `index`, with a set of `accuracy` bits. This is the set before that impact where a
+    /// verdict is missing, and the set after the impact where it is too wide.
     pub fn again(&mut self, shortfall: Shortfall, index: u64, accuracy: f64) -> Option<Box<dyn Motion>> {
         let accuracy = accuracy.min(self.finest);
         // More precision that did not make the set narrower is not what is missing.
@@ -124,7 +124,7 @@ impl PrecisionRaise {
     }
 }
 
-/// Bits to which the least exact of the excitation is given: infinitely many without intervals.
+/// Bits of the least accurate data of the excitation: infinitely many without intervals.
 fn finest(pair: &ImpactPair) -> f64 {
     let terms = pair.excitation().terms().iter();
     let shaking = terms.flat_map(|term| [term.amplitude(), term.frequency(), term.phase()]);

@@ -22,12 +22,12 @@ pub(super) struct Recurrence {
 }
 
 impl Recurrence {
-    /// Returns the period, once it is proved.
+    /// Period, once proved.
     pub fn period(&self) -> Option<Period> {
         self.period
     }
 
-    /// Returns the events that are repeated.
+    /// Events that are repeated.
     pub fn kept(&self) -> &[Progress] {
         &self.events
     }
@@ -64,7 +64,7 @@ impl Recurrence {
         }
     }
 
-    /// Returns the next event, repeated, when all of a period were kept.
+    /// The next event, repeated, when all events of a period were kept.
     pub fn repeat(&mut self) -> Option<Result<Progress, Undecided>> {
         let period = self.period.filter(|_| !self.events.is_empty())?;
         let event = self.events[self.next].after(period, self.rounds).ok_or(Undecided::endless());

@@ -36,7 +36,7 @@ pub struct Noise {
 }
 
 impl Shape {
-    /// Returns the box of these radii; velocities are of the order of `scale`, a power of two.
+    /// Box of these radii; velocities are of the order of `scale`, a power of two.
     pub fn new(phase: f64, velocity: f64, scale: f64) -> Self {
         // Lemma B1: nothing is exactly nothing; any other quotient may underflow.
         let unscaled = if velocity == 0.0 { 0.0 } else { up(velocity / scale + TINY) };
@@ -57,7 +57,7 @@ impl Shape {
         up(self.scale * (s.abs() * self.edges[0] + c.abs() * self.edges[1]))
     }
 
-    /// Returns the image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
+    /// Image of the shape (Lemmas S1, S2, S4) for the Jacobian over the set.
     #[inline(always)]
     pub fn image(&self, jacobian: &[[Ball; 2]; 2], noise: &Noise) -> Self {
         let exact = Ball::exact;
@@ -91,9 +91,9 @@ impl Shape {
 /// The box is that of the contact's own enclosure: narrower where an error of the velocity would tilt into the phase.
 #[derive(Clone, Copy, Debug)]
 pub struct StateSet {
-    /// The phase of the centre, in forcing periods.
+    /// Phase of the centre, in forcing periods.
     pub phase: f64,
-    /// The velocity of the centre, before the impact, in gap widths per forcing period.
+    /// Velocity of the centre, before the impact, in gap widths per forcing period.
     pub velocity: f64,
     shape: Shape,
     /// The radii of the box, of phase and velocity.
@@ -101,7 +101,7 @@ pub struct StateSet {
 }
 
 impl StateSet {
-    /// Returns the box of all states within the radii of `phase` and `velocity`.
+    /// Box of all states within the radii of `phase` and `velocity`.
     pub fn new(phase: Ball, velocity: Ball, scale: f64) -> Self {
         Self {
             phase: phase.mid(),
@@ -123,7 +123,7 @@ impl StateSet {
         Ball::new(self.velocity, self.shape.velocity_radius().min(self.box_radii.1)) // S2: cut with the box of C3
     }
 
-    /// Returns the image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.
+    /// Image of the set: `centre` encloses the image of the centre, `jacobian` the Jacobian over the set.
     #[inline(always)]
     pub fn image(&self, centre: &SetContact, jacobian: &[[Ball; 2]; 2]) -> Self {
         debug_assert_eq!(centre.phase.mid(), centre.all.phase.mid(), "both enclosures have one middle");
@@ -137,7 +137,7 @@ impl StateSet {
         }
     }
 
-    /// Returns the same set with its phases counted from elsewhere: `phase` is the centre's, exactly.
+    /// The set with its phases counted from elsewhere: `phase` is the centre's, exactly.
     #[inline(always)]
     pub fn at_phase(&self, phase: f64) -> Self {
         Self { phase, ..*self }

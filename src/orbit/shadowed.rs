@@ -21,7 +21,7 @@ use crate::number::Ball;
 use crate::pair::{ImpactPair, Wall};
 use crate::shaken::{Flying, Location, Origin, State};
 
-/// Bits that show what the start has in common with the given one.
+/// Bits in which a start near by is printed: enough to tell it from the given start.
 pub(super) const START_BITS: u32 = 160;
 
 /// One impact after another of a shadowed orbit.
@@ -34,19 +34,19 @@ pub(super) struct ShadowMotion<S: Flying, B> {
     start_bounds: Option<StartBounds>,
     chain: Chain<S, B>,
     nodes: IntoIter<Node>,
-    /// The last node handed out; its forcing periods and phase, or those of the starts.
+    /// The last node handed out; its whole forcing periods and phase, or those of the starts.
     last: Option<Node>,
     at: (i64, Ball),
     /// The motion after the last node.
     set: Option<IntervalMotion<S>>,
 }
 
-/// The claims of a shadowed orbit.
+/// Claims about a shadowed orbit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shadowing {
     /// **Enclosure**: holds the time of the start that has the orbit \[time\].
     pub time: Enclosure,
-    /// **Enclosure**: and its velocity \[length/time\]; one of the two is the scene's.
+    /// **Enclosure**: holds the velocity of that start \[length/time\]; either the time or the velocity is the scene's.
     pub velocity: Enclosure,
     /// Bounds of the distances of impacts from the middles of their enclosures, in forcing periods: of half of them, and of all; `None`
     /// without impacts.
@@ -54,8 +54,8 @@ pub struct Shadowing {
 }
 
 impl Orbit {
-    /// Returns whether sets from the exact start decide a motion that does not expand: then its orbit is followed, since it gives stronger
-    /// claims.
+    /// Whether sets from the exact start decide the motion, which then does not expand. If so, the exact orbit is followed: its claims are
+    /// stronger.
     pub(super) fn is_regular(pair: &ImpactPair, start: &Start, settings: &Settings, impacts: u64) -> bool {
         let impacts = settings.impacts.map_or(impacts, |requested| requested.min(impacts)); // proposes: what to claim
         let until = settings.until.clone();
@@ -66,7 +66,7 @@ impl Orbit {
         !matches!(orbit.outcome(), Some(Outcome::Undecided { .. }))
     }
 
-    /// Counts an impact that is listed, of a shadowed orbit.
+    /// Counts a listed impact of a shadowed orbit.
     #[inline]
     pub(super) fn note_nearness(&mut self, phase: Ball) {
         if let Some(near) = &mut self.pending.near {
@@ -74,7 +74,7 @@ impl Orbit {
         }
     }
 
-    /// Returns what is claimed of the start, where the orbit is one near the given one; `None` where it is that of the given start.
+    /// Claims about the start of an orbit near the given one; `None` where the orbit is that of the given start.
     pub fn shadow(&self) -> Option<Shadowing> {
         let NearbyStart { time, velocity, nearness } = self.pending.near.as_ref()?;
         Some(Shadowing { time: time.clone(), velocity: velocity.clone(), nearness: nearness.median_and_most() })
@@ -90,7 +90,7 @@ pub(super) struct NearbyStart {
 }
 
 impl NearbyStart {
-    /// Returns the starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
+    /// Starts of a motion near the one from `start`; either their time or their velocity is that of the requested start.
     pub fn new(clock: &Clock, start: &Start, motion: &dyn Motion) -> Option<Self> {
         let Starts { varied, bounds: State { turns, phase, velocity, .. } } = motion.starts()?;
         let in_doubles = || match varied {
@@ -103,8 +103,8 @@ impl NearbyStart {
 }
 
 impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
-    /// Returns the motion from an origin, for as many impacts as are given, and how many impacts of it show that nothing expands any more, if
-    /// they do; `None` where no chain begins.
+    /// A motion from near an origin, for `impacts` impacts; also the number of impacts after which nothing expands any more, if so. `None` where
+    /// no chain begins.
     pub fn from(shaken: Arc<S>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)> {
         let mut chain = Chain::from_origin(shaken.clone(), origin.clone(), impacts);
         let nodes = chain.advance();
@@ -114,7 +114,7 @@ impl<S: Flying> ShadowMotion<S, Segment<S::Waves<Ball>>> {
 }
 
 impl<S: Flying> ShadowMotion<S, Splice> {
-    /// Returns the same after impacts that are proved by precision.
+    /// A motion along a chain that begins after impacts proved by precision.
     pub fn spliced(shaken: Arc<S>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>> {
         let mut chain = Chain::new(shaken.clone(), splice, left);
         let nodes = chain.advance();
@@ -143,7 +143,7 @@ impl<S: Flying, B: Beginning<S>> ShadowMotion<S, B> {
         })
     }
 
-    /// Goes on to a state: what leads there from the last one.
+    /// Goes on to a state; returns the contact seen from the state before.
     #[inline(always)]
     fn passed(&mut self, wall: Wall, turns: i64, phase: Ball, velocity: Ball) -> Contact<Ball> {
         let passed = (turns - self.at.0) as f64; // N1: a flight is shorter than 2^53 forcing periods
@@ -212,7 +212,7 @@ pub(super) struct Nearness {
     most: f64,
 }
 
-/// Bits of a double's fraction that sizes are given by: to a thirty-second.
+/// Bits of a double's fraction that sizes keep: they are exact to 1/32.
 const FRACTION: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - FRACTION;
 
@@ -229,7 +229,7 @@ impl Nearness {
         self.most = self.most.max(radius); // exact: one of the two
     }
 
-    /// Returns the median and the greatest, rounded up; `None` without impacts.
+    /// The median and the greatest radius, rounded up; `None` without impacts.
     pub fn median_and_most(&self) -> Option<[f64; 2]> {
         let mut left = self.impacts.div_ceil(2);
         let size = self.counts.iter().position(|count| {

@@ -10,7 +10,7 @@ use crate::number::Ball;
 use crate::shaken::{Since, clear};
 use crate::turns;
 
-/// Bits that `auto` takes to tell a graze from a near one: at `2^-4000` of the gap both are called a graze.
+/// Bits that `auto` takes to distinguish a graze from a near one: at `2^-4000` of the gap both are called a graze.
 pub(crate) const GRAZE_BITS: u32 = 4096;
 
 /// The quantity that a motion lacks.
@@ -36,7 +36,7 @@ pub(crate) enum Limit {
 }
 
 impl Orbit {
-    /// Returns the obstacle to narrower enclosures.
+    /// Obstacle to narrower enclosures.
     pub(crate) fn limit(&self) -> Limit {
         match (self.pending.is_lasting, self.engine.is_point, self.requested.is_point) {
             (true, ..) => Limit::Lasting,
@@ -46,7 +46,7 @@ impl Orbit {
         }
     }
 
-    /// Returns the number of bits by which a contact is wider than requested; not positive if it is not wider.
+    /// Number of bits by which a contact is wider than requested; not positive if it is not wider.
     #[inline]
     pub(super) fn excess(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.requested.widths;
@@ -57,7 +57,7 @@ impl Orbit {
         self.excess_below_doubles(turns, contact)
     }
 
-    /// Returns the number of bits by which a contact is wider than requested, where doubles are too coarse to decide.
+    /// Number of bits by which a contact is wider than requested, where doubles are too coarse to decide.
     #[cold]
     fn excess_below_doubles(&self, turns: i64, contact: &Contact<Ball>) -> f64 {
         let [time, velocity] = self.requested.widths;
@@ -80,7 +80,7 @@ impl Orbit {
         self.engine.motion.enclosures(self.requested.shown)
     }
 
-    /// The motion cannot go on: in more precision, or not at all.
+    /// Goes on in more precision, past a graze, or ends the orbit: the motion cannot go on.
     #[cold]
     pub(super) fn give_up(&mut self, undecided: Undecided) -> Progress {
         // C7: no wall is touched up to the time to stop at, whatever comes later.
@@ -105,7 +105,7 @@ impl Orbit {
         }
     }
 
-    /// A contact is wider than requested by N bits; `None` when it has to be taken as it is.
+    /// A contact is wider than requested by `excess` bits; `None` when the contact has to be taken as it is.
     #[cold]
     pub(super) fn narrow(&mut self, contact: &Contact<Ball>, excess: f64) -> Option<Progress> {
         // Of intervals whose `A W` may be 0 nothing is narrow enough relative to it.

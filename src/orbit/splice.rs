@@ -1,4 +1,4 @@
-//! A chain that begins after impacts which are proved by precision: its start is so much nearer to the given one.
+//! A chain that begins after impacts which are proved by precision: so its start is much nearer to the given one.
 //!
 //! The product of the Jacobians along these impacts is the column of the chain's first segment: Lemma F6 of
 //! `docs/proofs/covering.md#F6`.
@@ -23,7 +23,7 @@ use impact_pair_model::Place;
 
 /// Digits to which the given start's own impacts are proved: those of doubles.
 const DIGITS: u32 = 17;
-/// Bits beyond theirs that the curve's are proved with.
+/// Bits of the curve's first impacts beyond those of the given start.
 const MORE_BITS: u32 = 64;
 
 /// The first impacts of the starts on a curve through the given start.
@@ -46,7 +46,7 @@ pub(super) struct Splice {
 #[derive(Clone, Debug)]
 struct Flown {
     impacts: Vec<Impact>,
-    /// The last one of them, with the derivative along the curve for its first column: times two to this power.
+    /// The last of the impacts, with the derivative along the curve in the first column, times `2^exponent`.
     landing: Landing,
     exponent: i32,
 }
@@ -55,7 +55,7 @@ impl Splice {
     /// Proves the first `impacts` impacts of the orbit of `pair` from `start`.
     ///
     /// # Errors
-    /// Returns an error if these impacts are not all proved.
+    /// If these impacts are not all proved.
     pub fn new(
         (pair, start, clock): (&ImpactPair, &Start, &Clock),
         (reduced, initial): (&Reduced<Ball>, State<Ball>),
@@ -71,21 +71,21 @@ impl Splice {
         Ok(Self { pair, start, clock, initial, varied, bits, impacts, given, scale, curve: None })
     }
 
-    /// Returns the impacts that cannot be spliced.
+    /// Error for a number of impacts that cannot be spliced.
     pub fn refused(impacts: u64) -> Error {
         let accepted = "but it must be a number of first impacts that are proved by precision, before a rest or a graze, and after \
                         which the motion goes on to expand";
         Error::out_of_range(Some("splice"), format!("splice is {impacts}, {accepted}"))
     }
 
-    /// Returns the first impacts of all starts on the curve, but for the last one, and bounds of these starts; once a chain has begun.
+    /// First impacts, without the last one, of all starts on the curve, and bounds of these starts; `None` before a chain has begun.
     pub fn proved(&self) -> Option<(&[Impact], &StartBounds)> {
         let (Flown { impacts, .. }, near) = self.curve.as_ref()?;
         let (_, before) = impacts.split_last()?;
         Some((before, near))
     }
 
-    /// The starts within `a`, as what an orbit is requested, and their bounds.
+    /// Starts within `a` along the curve: as the start of an orbit, and as bounds.
     fn starts_within(&self, a: f64) -> Option<(Start, StartBounds)> {
         let apart = BigRational::from_float(a)? * two_to(-self.given.exponent);
         let apart = Enclosure::from_rational(&apart, START_BITS);
@@ -107,7 +107,7 @@ impl Splice {
         Some((start.ok()?, near))
     }
 
-    /// The flights from all of them.
+    /// Follows the orbits of a box of starts through the first impacts.
     fn fly_from(&self, start: &Start) -> Option<Flown> {
         let bits = Arithmetic::Bits(self.bits.saturating_add(MORE_BITS)); // proposes: any number of bits encloses
         let settings = Settings { arithmetic: bits, impacts: Some(self.impacts), ..Settings::default() };
@@ -118,7 +118,7 @@ impl Splice {
     }
 }
 
-/// Follows an orbit through N impacts and nothing else. Lemma F6
+/// Follows an orbit through `count` impacts and no other event. Lemma F6
 fn fly(orbit: &mut Orbit, count: u64, varied: Varied) -> Option<Flown> {
     let mut impacts: Vec<Impact> = Vec::new();
     let mut column = Column::along(varied.direction());
@@ -143,10 +143,10 @@ fn fly(orbit: &mut Orbit, count: u64, varied: Varied) -> Option<Flown> {
     (impacts.len() as u64 == count).then_some(Flown { impacts, landing, exponent: column.exponent })
 }
 
-/// A derivative along a curve, times two to a power: parts along an axis and across it, both balls.
+/// A derivative along a curve, times a power of two: parts along an axis and across it, both balls.
 ///
-/// The axis follows the middle of the image, so that what is not known of the direction is squeezed as the direction is, and not wrapped
-/// in a box at each impact.
+/// The axis follows the middle of the image. So the error of the direction is squeezed as the direction is, and not wrapped in a box at each
+/// impact.
 #[derive(Clone, Copy, Debug)]
 struct Column {
     axis: [f64; 2],
@@ -159,13 +159,13 @@ impl Column {
         Self { axis, parts: [1.0, 0.0].map(Ball::exact), exponent: 0 }
     }
 
-    /// The product of a row with the column.
+    /// Product of a row with the column.
     fn times(&self, row: [Ball; 2]) -> Ball {
         let [[c, s], [along, across]] = [self.axis.map(Ball::exact), self.parts];
         along * dot(row, [c, s]) + across * dot(row, [-s, c])
     }
 
-    /// The column that a matrix makes of it; `None` where doubles do not hold it.
+    /// Image of the column under a matrix; `None` where doubles do not hold the image.
     fn image(&self, matrix: [[Ball; 2]; 2]) -> Option<Self> {
         let [x, y] = matrix.map(|row| self.times(row).mid());
         let length = x.hypot(y);

@@ -25,7 +25,7 @@ pub(super) struct TextbookMotion {
     state: State<Interval>,
 }
 
-/// Returns the states in another arithmetic.
+/// The states in another arithmetic.
 fn states<N: Copy, M>(state: &State<N>, f: impl Fn(N) -> M) -> State<M> {
     state.map(|_, &x| Ok::<_, Infallible>(f(x))).unwrap_or_else(|none| match none {})
 }

@@ -9,15 +9,15 @@ use crate::number::inari::enclosing;
 use crate::switch_plane::{SwitchPoint, absolute};
 
 impl Orbit {
-    /// Returns the bounds of the time \[time\] and velocity \[length/time\] of an impact of this orbit; another orbit's has other units.
+    /// Bounds of the time \[time\] and velocity \[length/time\] of an impact of this orbit; another orbit's impact has other units.
     pub fn bounds(&self, impact: &Impact) -> (Enclosure, Enclosure) {
         let (phase, velocity) = impact.enclosures();
         (self.clock.time(impact.turns, &phase), self.clock.velocity(&velocity))
     }
 
-    /// Returns the same bounds as intervals of the package inari, in a build with the feature `inari`.
+    /// The bounds of [`bounds`](Self::bounds) as intervals of the package inari, in a build with the feature `inari`.
     ///
-    /// **Enclosure**: the true time \[time\] and velocity \[length/time\] lie in them, but with [`Arithmetic::Float`](super::Arithmetic::Float).
+    /// **Enclosure**: they hold the true time \[time\] and velocity \[length/time\], except with [`Arithmetic::Float`](super::Arithmetic::Float).
     ///
     /// ```
     /// use impact_pair::Scene;
@@ -44,7 +44,7 @@ impl Orbit {
         (enclosing(&time), enclosing(&velocity))
     }
 
-    /// Returns the impact as a point of its switch-plane. **Equations** (18)-(23)
+    /// The impact as a point of its switch-plane. **Equations** (18)-(23)
     pub fn switch_point(&self, impact: &Impact) -> SwitchPoint {
         let shaking = self.shaking(impact.turns, impact.phase);
         let (displacement, velocity) = absolute(shaking, impact.wall, impact.velocity);
@@ -64,22 +64,22 @@ impl Orbit {
         (shift, speed)
     }
 
-    /// Returns bounds of the beginning of a rest \[time\].
+    /// Bounds of the beginning of a rest \[time\].
     pub fn rest_time(&self, rest: &Rest) -> Enclosure {
         self.clock.time(rest.at.turns, &rest.at.phase)
     }
 
-    /// Returns bounds of the distance by which a graze misses its wall \[length\] and of the speed of a touch \[length/time\].
+    /// Bounds of the distance by which a graze misses its wall \[length\] and of the speed of a touch \[length/time\].
     pub fn graze_bounds(&self, graze: &Graze) -> (Enclosure, Enclosure) {
         (self.clock.length(&graze.distance), self.clock.velocity(&graze.speed))
     }
 
-    /// Returns bounds of the time of a graze or a release \[time\], exact if possible.
+    /// Bounds of the time of a graze or a release \[time\], exact if possible.
     pub fn touch_time(&self, touch: &Touch) -> Enclosure {
         self.exact_time(touch.turns, &touch.phase)
     }
 
-    /// The time of a phase, itself exact where that is.
+    /// Time of a phase, exact where the phase is.
     pub(super) fn exact_time(&self, turns: i64, phase: &Enclosure) -> Enclosure {
         match phase.mid_rad() {
             (exact, 0.0) => self.clock.time_of(turns, exact),

@@ -1,8 +1,8 @@
-//! Widths requested.
+//! Requested widths.
 
 use crate::exact::log2_of_digits;
 
-/// A width requested; below the range of doubles it is 0 there.
+/// A requested width; `linear` is 0 where the width is below the range of doubles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
     pub linear: f64,

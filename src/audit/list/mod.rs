@@ -16,7 +16,7 @@ use crate::exact::{Enclosure, Exact};
 use crate::pair::Wall;
 use crate::{Error, ImpactPair};
 
-/// The layout of a list: which columns hold times, walls and velocities.
+/// Layout of a list: the columns of times, walls and velocities.
 #[derive(Clone, Debug)]
 pub struct Columns {
     /// The times \[time\].
@@ -34,38 +34,38 @@ impl Default for Columns {
     }
 }
 
-/// The usual names of `y'` just before an impact, those that say so first.
+/// Usual names of `y'` just before an impact, the explicit ones first.
 const VELOCITIES: [&str; 8] =
     ["v_minus", "v-", "v_before", "velocity_minus", "velocity_before", "velocity", "v", "vel"];
 
 /// The name of a column, given or usual, and the option that gives it.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// The flag that says so.
+    /// Command-line option that names the column.
     flag: &'static str,
-    /// Its usual names.
+    /// Usual names of the column.
     names: &'static [&'static str],
     /// The name or the number given.
     given: Option<String>,
 }
 
 impl Column {
-    /// Returns the column of times: by its name or its number from 1, or under a usual name.
+    /// Column of times: by its name or its number from 1, or under a usual name.
     pub fn time(given: Option<String>) -> Self {
         Self { flag: "--time-column", names: &["time", "t"], given }
     }
 
-    /// Returns the column of walls.
+    /// Column of walls.
     pub fn wall(given: Option<String>) -> Self {
         Self { flag: "--wall-column", names: &["wall", "side"], given }
     }
 
-    /// Returns the column of velocities.
+    /// Column of velocities.
     pub fn velocity(given: Option<String>) -> Self {
         Self { flag: "--velocity-column", names: &VELOCITIES, given }
     }
 
-    /// The names it may have: the one given, or the usual ones.
+    /// Names that the column may have: the given one, or the usual ones.
     fn names(&self) -> impl Iterator<Item = &str> {
         let usual = if self.given.is_some() { &[] } else { self.names };
         self.given.as_deref().into_iter().chain(usual.iter().copied())
@@ -78,7 +78,7 @@ impl Column {
     }
 }
 
-/// The events of another simulator, and what of its list is not read.
+/// Events of another simulator, and the columns of its list that are not read.
 #[derive(Clone, Debug)]
 pub struct List {
     /// The events, in their order; at least one.
@@ -110,20 +110,20 @@ impl Number {
         Some(Self { low: value.clone(), high: value, written: text.to_owned() })
     }
 
-    /// Returns what lies between two bounds; `None` if they are out of order.
+    /// The interval between two bounds; `None` if they are out of order.
     pub fn between([low, high]: [Self; 2]) -> Option<Self> {
         let is_point = low.low == high.low;
         let written = if is_point { low.written } else { format!("[{}, {}]", low.written, high.written) };
         (low.low <= high.low).then_some(Self { low: low.low, high: high.low, written })
     }
 
-    /// Encloses it in ends of N bits.
+    /// Encloses the number, with ends of `bits` bits.
     pub(super) fn enclose(&self, bits: u32) -> Enclosure {
         Enclosure::from_rational(&self.low, bits).hull(&Enclosure::from_rational(&self.high, bits))
     }
 }
 
-/// Returns whether a text is one decimal, such as `-1.5e+00`, and no expression.
+/// Whether a text is one decimal, such as `-1.5e+00`, and no expression.
 fn is_decimal(text: &str) -> bool {
     let unsigned = |text: &str| -> String { text.strip_prefix(['+', '-']).unwrap_or(text).to_owned() }; // exact: a text
     let is_natural = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -132,7 +132,7 @@ fn is_decimal(text: &str) -> bool {
     is_natural(&mantissa.replacen('.', "", 1)) && exponent.is_none_or(|exponent| is_natural(&unsigned(exponent)))
 }
 
-/// The words for walls, and for people who meet others.
+/// Accepted walls, in words.
 const WALLS: &str = "left, right, L, R, -1, +1 or a position near -d/2 or +d/2";
 
 /// Reads walls by name, by sign or by position.
@@ -142,7 +142,7 @@ struct Walls {
 }
 
 impl Walls {
-    /// Returns the reader for the walls of a box with this gap \[length\].
+    /// Reader for the walls of a box with this gap \[length\].
     fn new(gap: &Exact) -> Self {
         let gap = gap.enclose(64);
         let two = BigRational::from_integer(2.into());
@@ -168,9 +168,9 @@ impl Walls {
 
 /// Reads a list in any of the accepted formats.
 ///
-/// Text has commas, semicolons, tabs or blanks between columns, and a header, one in a comment, or none; of a column there may be two,
-/// of bounds (`time_lower`, `time_upper`); where there is a column `event`, those that are not `impact` are skipped. JSON is an array of
-/// objects, an object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
+/// Text has commas, semicolons, tabs or blanks between columns. It has a header, a header in a comment, or none. Two columns may bound one
+/// quantity (`time_lower`, `time_upper`). With a column `event`, rows of other events than `impact` are skipped. JSON is an array of objects, an
+/// object of arrays, JSON Lines, or the orbit JSON. Walls may be positions near `-d/2` and `d/2` of the pair.
 ///
 /// # Errors
 /// If the list is malformed ([`ErrorKind::List`](crate::ErrorKind::List)): the message names the place, the value and what is accepted.
@@ -184,7 +184,7 @@ pub fn read(text: &str, columns: &Columns, pair: &ImpactPair) -> Result<List, Er
     }
 }
 
-/// Returns whether an event in a list is an impact; the others are skipped.
+/// Whether an event in a list is an impact; other events are skipped.
 fn is_impact_name(event: &str) -> bool {
     event.eq_ignore_ascii_case("impact")
 }

@@ -114,7 +114,7 @@ pub(super) struct State {
     pub is_decided: bool,
 }
 
-/// Brackets of contacts; target and forcing periods are those of the search.
+/// Brackets of contacts; target and whole forcing periods are those of the search.
 #[derive(Clone, Copy)]
 pub(super) struct Brackets {
     phase: Balls,

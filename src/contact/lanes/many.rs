@@ -11,11 +11,11 @@ use crate::mapping::Sheared;
 use crate::number::{Ball, kernel};
 use crate::pair::{Inward, Reduced, Wall, rebound_of};
 
-/// Encloses the first contacts of many flights of one pair, which leave a wall at a phase in forcing periods with a velocity away from it
+/// Encloses the first contacts of many flights of one pair. Each leaves a wall at a phase in forcing periods, with a velocity away from the wall
 /// in gap widths per forcing period.
 ///
-/// **Enclosure**: `answer` gets, in the order of the starts, what [`first_contact`] says of each, with the same bits.
-/// **Cost**: about half of that of one at a time, where the target has vectors of four doubles and FMA.
+/// **Enclosure**: `answer` gets, in the order of the starts, the verdict of [`first_contact`] on each, with the same bits.
+/// **Cost**: about half of the cost of single flights, where the target has vectors of four doubles and FMA.
 ///
 /// ```
 /// use impact_pair::contact::{Verdict, first_contacts_of};
@@ -73,7 +73,7 @@ pub struct Image {
     pub jacobian: [[Ball; 2]; 2],
 }
 
-/// Encloses the image of all states of a wall, a phase in forcing periods and a velocity before the impact in gap widths per forcing period:
+/// Encloses the image of all states of a wall: phase in forcing periods, velocity before the impact in gap widths per forcing period;
 /// **equations** (15), (A.1)-(A.7).
 ///
 /// **Enclosure**: for all states in the balls, and all parameters in those of the pair, contact and Jacobian lie in
@@ -136,7 +136,7 @@ fn centre_after(pair: &Reduced<Ball>, wall: Wall, before: Ball) -> Ball {
     wall.inward(rebound_of(pair.restitution, Ball::exact(before.mid())))
 }
 
-/// Returns the radii of the flight from the centre, and those of the flights from all states, around the doubles of the centre.
+/// Radii of the flight from the centre, and of the flights from all states, around the doubles of the centre.
 #[inline(always)]
 fn radii(pair: &Reduced<Ball>, phase: Ball, before: Ball) -> [Radii; 2] {
     let after = |before| rebound_of(pair.restitution, before).rad();

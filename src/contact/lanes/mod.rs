@@ -27,7 +27,7 @@ use columns::{Brackets, Departures, Flights, Iterates, LaneValue, Searches, Spre
 const LANES: usize = 16;
 /// Steps to a contact: two or three are usual.
 const STEPS: usize = 6;
-/// The time at which a lane is looked at that does not ask for it.
+/// The time at which other lanes are looked at.
 const FIRST_TIME: f64 = 0.0625;
 
 /// Flights of one pair that are solved together.
@@ -224,7 +224,7 @@ impl Lanes {
         }
     }
 
-    /// Brackets those of the flights that are near.
+    /// Brackets the contacts of the flights that are near.
     #[inline(never)]
     fn bracket_near<const WIDE: bool>(&mut self, margins: &Margins, spreads: &Spreads, brackets: &mut Brackets) {
         for lane in 0..LANES {

@@ -38,7 +38,7 @@ pub(crate) struct Passed {
 }
 
 impl Passed {
-    /// Returns the same in doubles.
+    /// The passed graze in doubles; `None` where the doubles overflow.
     pub fn in_doubles(&self) -> Option<Grazed> {
         let whole = self.at.mid().to_f64().round(); // exact: any whole number is taken off
         let at = self.at.clone() - MpBall::from_f64(whole);

@@ -75,7 +75,7 @@ fn is_first_of_nearly_monotone(flight: &Flight<MpBall>, found: &Isolated, back: 
     leaves && found.least > speed && found.time.certain_sign() == Some(Ordering::Greater)
 }
 
-/// Returns whether the ball rises right after the start.
+/// Whether the ball rises right after the start.
 pub(super) fn is_rising(flight: &Flight<MpBall>) -> Result<bool, Undecided> {
     let direction = match flight.velocity.sign() {
         Some(Ordering::Equal) => flight.sin.sign(),
@@ -109,14 +109,14 @@ fn monotone(flight: &Flight<MpBall>) -> Result<Piece, Undecided> {
     Ok(Piece { target, end: None, between: (mean.clone() - &spread, mean + spread), guess })
 }
 
-/// The extrema of one kind.
+/// The extrema of one kind, maxima or minima.
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
     pub target: Target,
     /// Time of extremum number 0, and its distance from the wall, inside the gap.
     first: MpBall,
     room: MpBall,
-    /// Duration of the piece before each.
+    /// Duration of the piece before each extremum.
     pub span: MpBall,
 }
 
@@ -131,7 +131,7 @@ pub(super) struct PhaseNumber {
 }
 
 impl PhaseNumber {
-    /// Returns the extrema of flights with `|c| < beta`.
+    /// The extrema of flights with `|c| < beta`.
     pub fn new(flight: &Flight<MpBall>, rising: bool) -> Option<Self> {
         let one = || MpBall::from_f64(1.0);
         let zero = || MpBall::from_f64(0.0);
@@ -163,7 +163,7 @@ impl PhaseNumber {
         if self.rising { [&self.far, &self.near] } else { [&self.near, &self.far] }
     }
 
-    /// The kind that the drift brings nearer to its wall, and by how much a forcing period.
+    /// The kind of extremum that the drift brings nearer to its wall, and the approach per forcing period.
     fn drifting(&self, flight: &Flight<MpBall>) -> Option<(&Kind, MpBall)> {
         match flight.drift.sign() {
             Some(Ordering::Greater) => Some((&self.far, flight.drift.clone())),
@@ -172,7 +172,7 @@ impl PhaseNumber {
         }
     }
 
-    /// Returns the extremum that may touch its wall while none before it does: the wall, when, and its room.
+    /// The extremum that may touch its wall while no earlier one does: the wall, the time, and the distance from the wall.
     pub fn doubtful(&self, flight: &Flight<MpBall>) -> Option<(Target, MpBall, MpBall)> {
         for kind in self.in_order() {
             match kind.room.sign() {
@@ -241,7 +241,7 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
 }
 
-/// Returns the time of the end of a short hop, else `guess`: of a fraction of 1e-300 of its piece doubles say nothing.
+/// Time of the end of a short hop, else `guess`: doubles cannot hold a hop shorter than 1e-300 of its piece.
 fn hop(flight: &Flight<MpBall>, top: &Float, guess: Float) -> Float {
     // 0 = z' + z'' h/2 + z''' h^2/6: the root that is the departure is divided out.
     let bits = guess.prec();

@@ -1,9 +1,8 @@
 //! First contacts in multiprecision: isolated as cheaply as can be, refined to the requested bits.
 //!
-//! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate; what that
-//! leaves open (grazes nearer than `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is
-//! decided by the same lemmas in balls ([`isolate`]). Either way one contact lies in a known bracket and [`refine`]
-//! only has to find it: Lemma M3 of `docs/proofs/multiprecision.md#M3`.
+//! Nearly every contact of a set as narrow as 53 bits is isolated by the double-precision certificate. What it leaves open (grazes nearer than
+//! `10^-13` of the gap, drifts near 0 or `beta`, flights beyond `2^39` forcing periods) is decided by the same lemmas in balls ([`isolate`]).
+//! Either way one contact lies in a known bracket and [`refine`] only has to narrow the bracket: Lemma M3 of `docs/proofs/multiprecision.md#M3`.
 
 mod graze;
 mod isolate;
@@ -28,12 +27,12 @@ pub(crate) use refine::Refined;
 #[derive(Debug)]
 pub(crate) struct Isolated {
     pub target: Target,
-    /// Whole forcing periods.
+    /// Whole forcing periods between the start's phase and `at`.
     pub turns: f64,
-    /// The contact of each flight of the set lies within `reach` of this phase, less the whole forcing periods.
+    /// Phase, less the whole forcing periods, within `reach` of which the contact of each flight of the set lies.
     pub at: Float,
     pub reach: Magnitude,
-    /// A lower bound of `|z'|` within `reach`, for each of them.
+    /// A lower bound of `|z'|` within `reach`, for each flight.
     pub least: Magnitude,
     /// Time since the start, over the set.
     pub time: Ball,
@@ -43,7 +42,7 @@ pub(crate) struct Isolated {
 }
 
 impl Isolated {
-    /// Returns the result of the double-precision certificate, if it proves the sign of the velocity.
+    /// The result of the double-precision certificate, if the certificate proves the sign of the velocity.
     fn new(Bracket { arrival, velocity, sin, .. }: Bracket, pair: &Margins) -> Option<Self> {
         // The velocity's ball holds `z'` over the bracket of the times of a hop; that of its phases is wider.
         let beyond = (arrival.phase.rad() - arrival.time.rad()).max(0.0); // M3: the phase bracket may be the narrower
@@ -61,7 +60,7 @@ impl Isolated {
         })
     }
 
-    /// Returns the contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
+    /// The contacts over the set in doubles, out of the mirrored frame of flights measured from `near`.
     pub fn contact(&self, near: Wall) -> Contact<Ball> {
         Contact {
             wall: self.target.wall(near),
@@ -98,7 +97,7 @@ pub(crate) fn isolate_first(
     })
 }
 
-/// Returns the contacts of the set as doubles isolate them, if they do.
+/// Isolates the contacts of the set in doubles; `None` where doubles do not.
 fn isolate_in_doubles(pair: &PairBounds, start: &Launch<Ball>) -> Option<Isolated> {
     let flight = Flight::of(&pair.centre, start.map(|x| x.mid()), kernel::sin_cos(start.phase.mid()));
     // From inside Lemma C1 wants the rounding of the height.

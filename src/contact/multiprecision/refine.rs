@@ -20,7 +20,7 @@ use crate::pair::Inward;
 /// The contact of one flight, in the frame of its start.
 #[derive(Debug)]
 pub(crate) struct Refined {
-    /// The phase of the contact, less the whole forcing periods, is within `error` of this.
+    /// Approximate phase of the contact, less the whole forcing periods: the error is at most `error`.
     pub at: Float,
     pub error: Magnitude,
     /// Mirrored `z'`, sine and cosine *at this phase*.
@@ -35,13 +35,13 @@ struct PhaseValues {
     sin_cos: (MpBall, MpBall),
 }
 
-/// Terms of a series that cost less than a sine and cosine.
+/// Greatest number of terms with which a series costs less than a sine and cosine.
 const MOST_TERMS: f64 = 48.0;
 /// Steps at full precision: Newton's takes more than a bit off even near a double root, and none that takes nothing is followed.
 const MOST_STEPS: u32 = 1 << 22;
 
 impl PhaseValues {
-    /// Returns the values a time `h` later: by the addition theorems, each product in as many bits as it is worth.
+    /// Values a time `h` later: by the addition theorems, each product in as many bits as it is worth.
     fn later(self, flight: &Flight<MpBall>, h: &MpBall) -> Option<Self> {
         let Self { residual, velocity, sin_cos: (sin, cos) } = self;
         let SmallAngle { versine, sine, .. } =
@@ -56,14 +56,14 @@ impl PhaseValues {
         })
     }
 
-    /// Returns whether the height is as near to 0 as the precision can distinguish.
+    /// Whether the height is as near to 0 as the precision can distinguish.
     fn is_noise(&self) -> bool {
         let noise = self.residual.rad();
         magnitude(self.residual.mid()) <= noise + noise
     }
 }
 
-/// Returns the values of the formulas at `time` after the departure from a wall, without cancellation.
+/// Values of the formulas at `time` after the departure from a wall, without cancellation.
 fn see_hop(flight: &Flight<MpBall>, time: &Float) -> Option<PhaseValues> {
     let time = MpBall::exact(time.clone());
     let departure = time.short_departure()?;
@@ -105,9 +105,9 @@ impl Isolated {
         None
     }
 
-    /// Returns whether the departure root is better divided out: a short flight back to its wall.
+    /// Whether the departure root is better divided out: a short flight back to its wall.
     fn is_hop(&self, flight: &Flight<MpBall>, bits: u32) -> bool {
-        // A series of N terms costs less than a sine.
+        // A series of at most `MOST_TERMS` terms costs less than a sine.
         let terms = -f64::from(bits) / self.time.mid().log2();
         let is_short = self.time.mid() <= 2f64.powi(-8) && terms <= MOST_TERMS;
         is_short && self.target == Target::Near && flight.height.mid().is_zero()
@@ -175,7 +175,7 @@ impl Isolated {
     }
 }
 
-/// Returns the step from a phase to the root beside it, with an error of the fourth order.
+/// Step from a phase to the root beside it, with an error of the fourth order.
 ///
 /// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
 fn step(flight: &Flight<MpBall>, sight: &PhaseValues) -> Option<Float> {
