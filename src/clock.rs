@@ -26,7 +26,7 @@ pub(crate) struct Phase {
 #[derive(Clone, Debug)]
 pub struct Clock {
     phases: Phases,
-    /// The whole forcing periods that phases are counted from.
+    /// Whole forcing periods that phases are counted from.
     origin: BigInt,
     bits: u32,
     /// Maximum precision of printed values, in bits.
@@ -73,7 +73,7 @@ impl Clock {
         })
     }
 
-    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in N bits.
+    /// Encloses `W / (2 pi)`, `tau / (2 pi)` less the whole forcing periods of the origin, and `2 pi / (W d)`, in `bits` bits.
     pub(crate) fn factors(&self, bits: u32) -> [Enclosure; 3] {
         let origin = Enclosure::from_rational(&BigRational::from(self.origin.clone()), bits);
         [
@@ -83,12 +83,12 @@ impl Clock {
         ]
     }
 
-    /// Returns the number of whole forcing periods from the start of a period of N forcing periods to the origin of phases.
+    /// Whole forcing periods from the start of a period of `period` forcing periods to the origin of phases.
     pub(crate) fn turns_into(&self, period: u32) -> i64 {
         self.origin.mod_floor(&BigInt::from(period)).to_i64().unwrap_or(0) // exact: below 2^32
     }
 
-    /// The whole forcing periods that phases are counted from.
+    /// Whole forcing periods that phases are counted from.
     pub(crate) fn origin(&self) -> &BigInt {
         &self.origin
     }
@@ -104,21 +104,21 @@ impl Clock {
         Ok((turns, rest))
     }
 
-    /// Returns the phase of a time, its rest in a ball.
+    /// Phase of a time, with the rest in a ball.
     pub(crate) fn phase_of(&self, key: &'static str, time: &Exact) -> Result<Phase, Error> {
         let (turns, rest) = self.split(key, time)?;
         Ok(Phase { turns, rest: ball(key, &rest)? })
     }
 
-    /// Returns upper bounds of the widths of a time, in periods, and of a velocity, in gap widths per forcing period.
+    /// Upper bounds of the widths of a time, in periods, and of a velocity, in gap widths per forcing period.
     ///
-    /// The bits of exact factors are not counted: they are 160 more than what is requested has.
+    /// Roundings of exact factors are not counted: the factors have 160 bits more than requested.
     pub(crate) fn widths(&self, turns: i64, rest: Ball, velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         (2.0f64.mul_add(rest.rad(), time), 2.0f64.mul_add(velocity.rad(), of_velocity))
     }
 
-    /// Returns the same widths by logarithms of radii, which may be below the range of doubles.
+    /// Widths of a time and a velocity from logarithms of radii, which may be below the range of doubles.
     pub(crate) fn log2_widths(&self, turns: i64, radii: (f64, f64), velocity: Ball) -> (f64, f64) {
         let (time, of_velocity) = self.spread(turns, velocity);
         let sum =
@@ -126,7 +126,7 @@ impl Clock {
         (sum(radii.0, time), sum(radii.1, of_velocity))
     }
 
-    /// Returns the widths that intervals of W, tau and d add to a time and to a velocity.
+    /// Widths that intervals of W, tau and d add to a time and to a velocity.
     fn spread(&self, turns: i64, velocity: Ball) -> (f64, f64) {
         let Some([per_turn, once, per_unit]) = self.spread else { return (0.0, 0.0) };
         let turns = Dyadic::new(&self.origin + turns, 0);
@@ -145,7 +145,7 @@ impl Clock {
         whole.add(rest, self.bits).mul(&self.period, self.bits).sub(&self.delay, self.bits)
     }
 
-    /// Returns the same for a phase that is exactly known, itself exact where an exact expression says it.
+    /// Encloses the time \[time\] of an exactly known phase; the time is exact where an exact expression holds it.
     pub fn time_of(&self, turns: i64, rest: f64) -> Enclosure {
         let exact = || {
             let phase = Exact::from(&self.origin + turns).checked_add(&Exact::from_f64(rest)?).ok()?;
@@ -185,19 +185,19 @@ impl Clock {
     }
 }
 
-/// Returns a whole number nearest to the value, or next to it.
+/// A whole number nearest to the value, or next to the nearest.
 fn nearest(value: &Exact) -> BigInt {
     let whole = value.enclose(BITS).mag().top().and_then(|top| u32::try_from(top).ok()).unwrap_or(0); // X1: any number of bits encloses
     let low = value.enclose(BITS.saturating_add(whole)).inf().to_rational(); // X1: any number of bits encloses
     (low + BigRational::new(1.into(), 2.into())).floor().to_integer() // exact: any whole number is taken off
 }
 
-/// Returns the error about a time more than 2^62 forcing periods away. Lemma N1
+/// Error about a time more than 2^62 forcing periods away. Lemma N1
 fn too_late(key: &str, time: &Exact) -> Error {
     Error::range(key, time, "accepted are times less than 2^62 forcing periods from the start")
 }
 
-/// Returns the number as an enclosure.
+/// The number as an enclosure.
 fn enclosure(x: f64) -> Enclosure {
     Enclosure::from_f64_bounds(x, x).expect("a finite number")
 }

@@ -33,44 +33,44 @@ pub(crate) fn turned<N: Number>((sin, cos): (&N, &N), d: &SmallAngle<N>) -> (N, 
     (turned_sin, sin.mul_sub_ref(&d.sine, base))
 }
 
-/// `z'` later by a departure than where it, sine and cosine are given, without cancellation. **Equation** (12)
+/// `z'` after a departure, given `z'`, sine and cosine before, without cancellation. **Equation** (12)
 #[inline(always)]
 pub(crate) fn velocity_after<N: Number>(beta: N, velocity: N, (sin, cos): (N, N), versine: N, sine: N) -> N {
     let wave = cos.mul_add_ref(&versine, sin * sine);
     beta.mul_add_ref(&wave, velocity)
 }
 
-/// The start of a flight, not mirrored: after the impact, for a start on a wall.
+/// Start of a flight, not mirrored: after the impact, for a start on a wall.
 #[derive(Clone, Debug)]
 pub(crate) struct Launch<N> {
     /// `None` inside the gap.
     pub wall: Option<Wall>,
-    /// Above the left wall, inside the gap.
+    /// Height above the left wall, for a start inside the gap.
     pub height: N,
     /// Whole forcing periods and the rest of the phase.
     pub turns: i64,
     pub phase: N,
     /// `z'`
     pub velocity: N,
-    /// The acceleration of each flight is exactly 0 there: the ball was sticking before.
+    /// True if the ball was sticking before: the acceleration of each flight is exactly 0 at the start.
     pub is_release: bool,
 }
 
 impl<N: Number> Launch<N> {
-    /// Returns the start of a flight from a wall.
+    /// Start of a flight from a wall.
     #[inline(always)]
     pub fn from_wall(wall: Wall, turns: i64, phase: N, velocity: N, is_release: bool) -> Self {
         Self { wall: Some(wall), height: N::from_f64(0.0), turns, phase, velocity, is_release }
     }
 
-    /// Returns the start of a flight from inside the gap.
+    /// Start of a flight from inside the gap.
     pub fn from_inside(height: N, turns: i64, phase: N, velocity: N) -> Self {
         Self { wall: None, height, turns, phase, velocity, is_release: false }
     }
 }
 
 impl<N> Launch<N> {
-    /// Returns the data in another arithmetic.
+    /// The start in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Launch<M> {
         Launch {
             wall: self.wall,
@@ -90,7 +90,7 @@ pub struct Flight<N> {
     pub alpha: N,
     /// `2 pi A/d`
     pub beta: N,
-    /// The phase of the start in forcing periods, not mirrored.
+    /// Phase of the start in forcing periods, not mirrored.
     pub phase: N,
     /// Mirrored `sin th0`.
     pub sin: N,
@@ -100,14 +100,14 @@ pub struct Flight<N> {
     pub height: N,
     /// `z'` at the start, after the impact.
     pub velocity: N,
-    /// The drift `c`: what `z` gains in each forcing period.
+    /// The drift `c`: the increase of `z` per forcing period.
     pub drift: N,
     /// The wall that heights are measured from.
     pub wall: Wall,
 }
 
 impl<N> Flight<N> {
-    /// Returns the same flight in another arithmetic.
+    /// The flight in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Flight<M> {
         Flight {
             alpha: f(&self.alpha),
@@ -124,7 +124,7 @@ impl<N> Flight<N> {
 }
 
 impl<N: Number> Flight<N> {
-    /// The flight that starts so; `sin_cos` are the sine and cosine of the phase, not mirrored.
+    /// Flight from a start; `sin_cos` are the sine and cosine of the phase, not mirrored.
     #[inline(always)]
     pub(crate) fn of(pair: &Reduced<N>, launch: Launch<N>, sin_cos: (N, N)) -> Self {
         let Launch { wall, height, phase, velocity, .. } = launch;
@@ -134,7 +134,7 @@ impl<N: Number> Flight<N> {
         }
     }
 
-    /// Returns a flight that leaves `wall` with velocity `velocity >= 0` away from it.
+    /// Flight that leaves `wall` with velocity `velocity >= 0` away from it.
     ///
     /// `sin_cos` are the sine and cosine of the phase, not mirrored.
     #[inline(always)]
@@ -142,7 +142,7 @@ impl<N: Number> Flight<N> {
         Self::new(pair, wall, N::from_f64(0.0), phase, velocity, sin_cos)
     }
 
-    /// Returns a flight that starts inside the gap, `height` above the left wall.
+    /// Flight that starts inside the gap, `height` above the left wall.
     #[inline(always)]
     pub fn from_inside(pair: &Reduced<N>, height: N, phase: N, velocity: N, sin_cos: (N, N)) -> Self {
         Self::new(pair, Wall::Left, height, phase, velocity, sin_cos)
@@ -193,26 +193,26 @@ impl<N: Number> Flight<N> {
 }
 
 impl Flight<f64> {
-    /// Returns whether no extrema are expected: `|c| >= beta`.
+    /// Whether no extrema are expected: `|c| >= beta`.
     #[inline(always)]
     pub(crate) fn is_monotone(&self) -> bool {
         self.drift.abs() >= self.beta
     }
 
-    /// The time from the start to a phase and whole forcing periods, and what rounding adds.
+    /// Upper bound of the time from the start to the phase `at` after `turns` whole forcing periods.
     #[inline(always)]
     pub(crate) fn elapsed(&self, turns: f64, at: f64) -> f64 {
         // Whole forcing periods may cancel the rest, so the time's own rounding is not relative to it.
         UNIT.mul_add(turns.abs(), (turns + (at - self.phase)).abs())
     }
 
-    /// Returns the mirrored sine and cosine after a hop, by the addition theorems.
+    /// Mirrored sine and cosine after a hop, by the addition theorems.
     #[inline(always)]
     pub fn hop_sin_cos(&self, d: &SmallAngle) -> (f64, f64) {
         turned((&self.sin, &self.cos), d)
     }
 
-    /// `z'` and the mirrored sine a short `step` earlier than where they and the cosine are given, by Taylor's formula.
+    /// `z'` and the mirrored sine a short `step` before the given `z'`, sine and cosine, by Taylor's formula.
     #[inline(always)]
     pub fn arrive(&self, velocity: f64, (sin, cos): (f64, f64), step: f64) -> (f64, f64) {
         let turned = std::f64::consts::TAU * step;

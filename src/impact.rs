@@ -10,8 +10,8 @@ use crate::pair::Wall;
 pub struct Impact {
     /// Counts the impacts from 1; the start is not counted.
     pub index: u64,
-    /// The mapping that led here; `None` for the first contact of a start inside the gap, and where a graze of the other
-    /// wall may have been a touch.
+    /// Mapping of the flight before; `None` for the first contact of a start inside the gap, and where a graze of the other wall may have been a
+    /// touch.
     pub mapping: Option<Mapping>,
     /// The wall.
     pub wall: Wall,
@@ -21,12 +21,12 @@ pub struct Impact {
     pub phase: Ball,
     /// The relative velocity `y'` just before the impact, in gap widths per forcing period.
     pub velocity: Ball,
-    /// Phase and velocity more narrowly than these balls, where that was requested.
+    /// Phase and velocity more narrowly than in these balls, where requested.
     pub precise: Option<Box<(Enclosure, Enclosure)>>,
 }
 
 impl Impact {
-    /// Phase less the whole forcing periods, and velocity, as narrow as they are known.
+    /// Phase less the whole forcing periods, and velocity, as narrowly as they are known.
     pub(crate) fn enclosures(&self) -> (Enclosure, Enclosure) {
         match &self.precise {
             Some(precise) => (**precise).clone(),
@@ -35,7 +35,7 @@ impl Impact {
     }
 }
 
-/// A wall that the ball touches or leaves without velocity, and when.
+/// A touch of a wall, or a departure, without velocity: wall and phase.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Touch {
     /// The wall.
@@ -59,7 +59,7 @@ pub struct Graze {
 }
 
 impl Touch {
-    /// Returns the whole forcing periods and a ball that holds the rest of the phase.
+    /// Whole forcing periods, and a ball that holds the rest of the phase.
     pub fn at(&self) -> (i64, Ball) {
         let (mid, rad) = self.phase.mid_rad();
         (self.turns, Ball::new(mid, rad))

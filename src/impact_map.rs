@@ -67,7 +67,7 @@ pub struct Image {
 }
 
 impl ImpactMap {
-    /// Returns the impact map of a pair; parameters that are intervals are varied over all their values.
+    /// The impact map of a pair; parameters that are intervals are varied over all their values.
     ///
     /// # Errors
     /// Returns an error if a parameter is beyond what exact expressions or doubles hold.
@@ -76,7 +76,7 @@ impl ImpactMap {
         Ok(Self { shaken: Either::new(pair, &clock)? })
     }
 
-    /// Returns the box of all states on a wall with these phases and velocities before the impact.
+    /// Box of all states on a wall with these phases and velocities before the impact.
     ///
     /// # Errors
     /// Returns an error if a phase lies outside `[-1, 1]`, or if a velocity is not towards the wall: at most 0 on the left, at least 0 on the
@@ -99,18 +99,18 @@ impl ImpactMap {
         Ok(States { wall, turns: whole as i64, set: StateSet::new(phase, velocity, self.scale(velocity)) })
     }
 
-    /// Returns the states of a set just before the next impact, with the Jacobian over it.
+    /// Encloses the states of a set just before the next impact, and the Jacobian over the set.
     ///
     /// # Undecided
-    /// Undecided if not all flights of the set are proved to end on the same wall: it is too wide, or a flight may graze or end in a rest.
+    /// If not all flights of the set are proved to end on the same wall: the set is too wide, or a flight may graze or end in a rest.
     pub fn image(&self, states: &States) -> Answer<Image> {
         under!(&self.shaken, shaken => fly(&**shaken, states))
     }
 
-    /// Returns the image of a set under `count` mappings, at least one, with the product of their Jacobians.
+    /// Encloses the image of a set under `count` mappings, at least one, and the product of their Jacobians.
     ///
     /// # Undecided
-    /// Undecided if one of the images is.
+    /// If one of the images is undecided.
     pub fn iterate(&self, states: &States, count: usize) -> Answer<Image> {
         let mut image = self.image(states)?;
         for _ in 1..count {
@@ -128,12 +128,12 @@ impl ImpactMap {
 }
 
 impl States {
-    /// Returns the wall.
+    /// The wall.
     pub fn wall(&self) -> Wall {
         self.wall
     }
 
-    /// Returns the whole forcing periods that phases are counted from.
+    /// Whole forcing periods that phases are counted from.
     pub fn turns(&self) -> i64 {
         self.turns
     }

@@ -9,9 +9,9 @@ pub use impact_pair_model::{Mapping, Word};
 pub struct Passage<N> {
     /// `h = t1 - t0` in forcing periods.
     pub time: N,
-    /// `sin th0` at the impact the flight starts with.
+    /// `sin th0` at the impact before the flight.
     pub sin0: N,
-    /// `sin th1` at the impact it ends with.
+    /// `sin th1` at the impact after the flight.
     pub sin1: N,
     /// `v0`
     pub velocity0: N,
@@ -43,7 +43,7 @@ pub fn jacobian<N: Number>(beta: N, restitution: N, passage: &Passage<N>) -> Opt
     jacobian_between(restitution, time, [amplitude.clone() * sin0, amplitude * sin1], [velocity0, velocity1])
 }
 
-/// Returns the Jacobian of a mapping, from the accelerations `y''` after the impact it starts with and at the one it ends with.
+/// Jacobian of a mapping, from the accelerations `y''` after the impact before the flight and at the impact after the flight.
 #[inline(always)]
 pub(crate) fn jacobian_between<N: Number>(
     restitution: N,
@@ -54,19 +54,19 @@ pub(crate) fn jacobian_between<N: Number>(
     Some(Sheared::between(restitution, time, swings, velocities)?.jacobian())
 }
 
-/// The Jacobian (A.7) in two parts: near a graze all that is large, and known badly, is along `(1, slope)`.
+/// The Jacobian (A.7) in two parts: near a graze all large and uncertain entries are along `(1, slope)`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sheared<N> {
     /// `[dt1/dt0, dt1/dv0]`
     pub time: [N; 2],
-    /// `y''` at the impact it ends with: what `dt1` adds to `dv1`.
+    /// `y''` at the impact after the flight: the factor of `dt1` in `dv1`.
     pub slope: N,
     /// `dv1` at a fixed time.
     pub velocity: [N; 2],
 }
 
 impl<N: Number> Sheared<N> {
-    /// Returns the Jacobian in two parts, from the arguments of [`jacobian_between`].
+    /// Jacobian in two parts, from the arguments of [`jacobian_between`].
     #[inline(always)]
     pub fn between(restitution: N, time: N, [swing0, swing1]: [N; 2], [velocity0, velocity1]: [N; 2]) -> Option<Self> {
         let inverse = N::from_f64(1.0).checked_div(velocity1)?;
@@ -76,14 +76,14 @@ impl<N: Number> Sheared<N> {
         Some(Self { time: [time_by_time, time_by_velocity], slope: swing1, velocity: [-swing0, -restitution] })
     }
 
-    /// Returns the derivative along a curve for its first column, and no other: `product` multiplies a row with the curve's direction.
+    /// Derivative along a curve in the first column, with a zero second column: `product` multiplies a row with the curve's direction.
     pub fn along(self, product: impl Fn([N; 2]) -> N) -> Self {
         let Self { time, slope, velocity } = self;
         let [time, velocity] = [time, velocity].map(|row| [product(row), N::from_f64(0.0)]);
         Self { time, slope, velocity }
     }
 
-    /// Returns both in one.
+    /// The Jacobian from its two parts.
     #[inline(always)]
     pub fn jacobian(self) -> [[N; 2]; 2] {
         let Self { time, slope, velocity: [by_time, by_velocity] } = self;

@@ -9,7 +9,7 @@ pub use impact_pair_model::{ImpactPair, Wall};
 
 /// Components measured from a wall.
 pub trait Inward {
-    /// A component measured from this wall: positive where it points away from it.
+    /// A component measured from this wall: positive where it points away from the wall.
     fn inward<N: Number>(self, x: N) -> N;
     /// The pair with the sign that mirrors flights from the right wall onto those from the left.
     fn mirror<N: Number>(self, sin_cos: (N, N)) -> (N, N);
@@ -27,7 +27,7 @@ impl Inward for Wall {
     }
 }
 
-/// The quotient that errors name.
+/// Quotient that errors name.
 const RATIO: &str = "excitation.amplitude / pair.gap";
 
 /// The dimensionless parameters of the motion: time in forcing periods, length in gaps.
@@ -42,7 +42,7 @@ pub struct Reduced<N> {
 }
 
 impl Reduced<Exact> {
-    /// Returns the exact dimensionless parameters of a pair.
+    /// Exact dimensionless parameters of a pair.
     ///
     /// # Errors
     /// If `A/d` exceeds the range of exact expressions, or there are several harmonics.
@@ -62,7 +62,7 @@ impl Reduced<Exact> {
         Ok(Self { alpha, beta, restitution: pair.restitution().clone() })
     }
 
-    /// Encloses them in double precision.
+    /// Encloses the parameters in double precision.
     ///
     /// # Errors
     /// Returns an error if `A/d` is beyond `2^400`.
@@ -73,7 +73,7 @@ impl Reduced<Exact> {
 }
 
 impl<N> Reduced<N> {
-    /// Returns the same parameters in another arithmetic.
+    /// The parameters in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Reduced<M> {
         Reduced { alpha: f(&self.alpha), beta: f(&self.beta), restitution: f(&self.restitution) }
     }
@@ -85,7 +85,7 @@ pub fn rebound<N: Number>(restitution: &N, velocity_before: N) -> N {
     -(restitution.clone() * velocity_before)
 }
 
-/// Newton's impact law over a ball; nothing is exactly nothing, so that a perfectly plastic impact leaves at rest.
+/// Newton's impact law over a ball; an exact 0 stays exactly 0, so that a perfectly plastic impact leaves the ball at rest.
 #[inline(always)]
 pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
     let zero = Ball::exact(0.0);
@@ -93,12 +93,12 @@ pub(crate) fn rebound_of(restitution: Ball, before: Ball) -> Ball {
 }
 
 impl<N: Number> Reduced<N> {
-    /// Returns the parameters with these `A/d` and `e`.
+    /// Parameters with these `A/d` and `e`.
     pub fn new(alpha: N, restitution: N) -> Self {
         Self { beta: alpha.turn() * alpha.clone(), alpha, restitution }
     }
 
-    /// Returns the velocity after an impact. **Equation** (15)
+    /// Velocity after an impact. **Equation** (15)
     #[inline(always)]
     pub fn rebound(&self, velocity_before: N) -> N {
         rebound(&self.restitution, velocity_before)
@@ -106,19 +106,19 @@ impl<N: Number> Reduced<N> {
 }
 
 impl Reduced<Ball> {
-    /// The same over a ball: see [`rebound_of`].
+    /// Velocity after an impact, over a ball: see [`rebound_of`].
     #[inline(always)]
     pub(crate) fn rebound_of(&self, before: Ball) -> Ball {
         rebound_of(self.restitution, before)
     }
 
-    /// A power of two near the velocities to come after this one: the unit of velocities in sets.
+    /// A power of two near the velocities after this one: the unit of velocities in sets.
     pub(crate) fn scale(&self, velocity: Ball) -> f64 {
         let speed = self.beta.mag().max(velocity.mag()).clamp(1.0 / LARGEST_RATE, LARGEST_RATE); // S2: any power of two
         2f64.powi(speed.log2().round() as i32) // S2: any power of two
     }
 
-    /// Returns the centres of the parameters, for the floating-point twin.
+    /// Centres of the parameters, for flights in floating point.
     #[inline(always)]
     pub fn centre(&self) -> Reduced<f64> {
         Reduced { alpha: self.alpha.mid(), beta: self.beta.mid(), restitution: self.restitution.mid() }
@@ -134,7 +134,7 @@ pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
     if ball.mid().abs() + ball.rad() <= LARGEST_RATE { Ok(ball) } else { Err(too_large(key, value)) }
 }
 
-/// Returns the error about a value that is too large for the arithmetic of a flight.
+/// Error about a value that is too large for the arithmetic of a flight.
 pub(crate) fn too_large(key: &str, value: &Exact) -> Error {
     Error::range(key, value, "double-precision flights accept at most 2^400 in units of gap widths and forcing periods")
 }

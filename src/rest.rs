@@ -12,8 +12,8 @@ use crate::number::interval::Interval;
 use crate::number::{Ball, Enclosing};
 use crate::pair::{Reduced, Wall};
 
-/// Returns the least time that [`accumulation`] needs, in forcing periods, for each unit of the velocity before an impact (gap
-/// widths per forcing period).
+/// The least time that [`accumulation`] needs, in forcing periods, for each unit of the velocity before an impact (gap widths per forcing
+/// period).
 pub(crate) fn min_chatter_time_per_speed(pair: &Reduced<Ball>) -> f64 {
     let (beta, rebound) = (pair.beta.mid(), pair.restitution.mid());
     let least = 4.0 * rebound / (std::f64::consts::TAU * beta * (1.0 - rebound));
@@ -27,7 +27,7 @@ pub(crate) struct Pressed {
     /// Forcing periods since the contact force began, and until it ends, of all members.
     since: Interval,
     left: Interval,
-    /// Whole forcing periods from phase 0 to the one in which it began.
+    /// Whole forcing periods from phase 0 to the forcing period in which the contact force began.
     turns: BigInt,
 }
 
@@ -53,15 +53,15 @@ impl Pressed {
         is_inside.then(|| Self { since: Interval::enclosing(&since), left: Interval::enclosing(&left), turns })
     }
 
-    /// Returns whether the contact force begins exactly there: then it is 0.
+    /// Whether the contact force begins exactly at the phase: then it is 0.
     ///
-    /// Lemma Z2: a ball at rest sticks from then on; any earlier, however little, it still leaves.
+    /// Lemma Z2: a ball at rest sticks from then on; any earlier, however little, the ball still leaves.
     pub fn is_at_its_begin(&self) -> bool {
         self.since == Interval::ZERO // Z2: exactly there
     }
 
-    /// The whole forcing periods from phase 0 to that of the release, and the rest, exactly: 0 on the left wall, -1/2 on the right one,
-    /// where the mirrored sine turns positive (Lemma Z2).
+    /// Whole forcing periods from phase 0 to the release, and the rest, exactly: 0 on the left wall, -1/2 on the right wall, where the mirrored
+    /// sine becomes positive (Lemma Z2).
     pub fn release(&self, wall: Wall) -> Option<(i64, f64)> {
         Some((i64::try_from(&self.turns).ok()?.checked_add(1)?, -wall.mirror_phase())) // Z2: refused beyond
     }
@@ -91,7 +91,7 @@ fn sine(phase: f64) -> Interval {
     phase.sin()
 }
 
-/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce of a set at `velocity`, that after the impact.
+/// Upper bound of the duration, in forcing periods, of chatter after a bounce of a set; `velocity` is that after the impact.
 ///
 /// `Some(t)`: within `t` forcing periods infinitely many impacts follow, all on this wall, each slower than the one before, and
 /// the ball is at rest from their accumulation on until its release (Lemma Z1). 0 for a ball that does not leave.
@@ -117,8 +117,8 @@ pub(crate) fn accumulation(pair: &Reduced<Ball>, pressed: &Pressed, velocity: Ba
     duration(speed, rebound, amplitude * pressed.sine(window)?, window)
 }
 
-/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `speed`, while the contact force stays within
-/// `pressure` for `window` forcing periods (Lemma Z1); `None` if it is not proved to end in them.
+/// Upper bound of the duration, in forcing periods, of chatter after a bounce at `speed`, while the contact force stays within `pressure` for
+/// `window` forcing periods (Lemma Z1); `None` if the chatter is not proved to end within `window`.
 pub(crate) fn duration(speed: f64, rebound: f64, pressure: Interval, window: f64) -> Option<f64> {
     let [speed, rebound, least, most] = [speed, rebound, pressure.inf(), pressure.sup()].map(Interval::point);
     if least.inf().partial_cmp(&0.0) != Some(Ordering::Greater) {

@@ -27,7 +27,7 @@ impl Size {
         Self(exponent as f64) // exact: an i32
     }
 
-    /// Returns the greater of both.
+    /// The greater of two sizes.
     pub fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0)) // exact: one of both
     }
@@ -91,12 +91,12 @@ impl Unit {
         low.is_finite().then_some(Self { low, high })
     }
 
-    /// Returns an upper bound of `x` in this unit.
+    /// Upper bound of `x` in this unit.
     pub fn above(&self, x: &Dyadic) -> Size {
         Size(outward(log10(x, 1.0) - self.low, 1.0))
     }
 
-    /// Returns a lower bound of `x` in this unit.
+    /// Lower bound of `x` in this unit.
     pub fn below(&self, x: &Dyadic) -> Size {
         Size(outward(log10(x, -1.0) - self.high, -1.0))
     }
@@ -109,16 +109,16 @@ pub struct Scales<N> {
     pub period: N,
     /// `A W`, with several harmonics their sum; where A may be zero gap widths per forcing period, `d W / (2 pi)` \[length/time\].
     pub velocity: N,
-    /// The definition of the unit of velocities.
+    /// Which speed is the unit of velocities.
     pub speed: Speed,
 }
 
 /// A speed of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Speed {
-    /// The greatest one of the excitation.
+    /// Greatest speed of the excitation.
     Excitation,
-    /// The gap a period.
+    /// One gap width per period.
     Gap,
 }
 
@@ -132,10 +132,10 @@ impl fmt::Display for Speed {
 }
 
 impl Scales<Enclosure> {
-    /// Returns those of a scene, enclosed.
+    /// Encloses the scales of a scene.
     ///
     /// # Errors
-    /// If they exceed the range of exact expressions.
+    /// If a scale exceeds the range of exact expressions.
     pub fn of(scene: &Scene) -> Result<Self, Error> {
         let (pair, excitation) = (scene.pair(), scene.pair().excitation());
         let period = units::period(excitation.reference())?.enclose(BITS);
@@ -149,7 +149,7 @@ impl Scales<Enclosure> {
         })
     }
 
-    /// Returns them as units of sizes.
+    /// The scales as units of sizes.
     ///
     /// # Panics
     /// Never: scales are greater than 0.
@@ -159,7 +159,7 @@ impl Scales<Enclosure> {
     }
 }
 
-/// About the decimal logarithm of `x >= 0`, on the given side but for the roundings of doubles.
+/// Approximate decimal logarithm of `x >= 0`, on the given side but for the roundings of doubles.
 fn log10(x: &Dyadic, side: f64) -> f64 {
     if x.is_zero() {
         return f64::NEG_INFINITY;

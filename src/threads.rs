@@ -1,22 +1,22 @@
-//! Questions that have nothing to do with each other, answered by several threads: threads decide nothing.
+//! Independent questions, answered by several threads: the answers do not depend on the threads.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 use std::thread;
 
-/// Returns the number of threads that the machine runs at a time; the system is queried once, as that reads files.
+/// Number of threads that the machine runs at a time; the system is queried once, as that reads files.
 pub(crate) fn available() -> usize {
     static THREADS: LazyLock<usize> = LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from)); // exact: threads decide nothing
     *THREADS
 }
 
-/// Returns a slice in as many parts as threads, each with the index of its first element.
+/// A slice in as many parts as threads, each with the index of its first element.
 pub(crate) fn shares<T>(all: &[T]) -> Vec<(usize, &[T])> {
     let length = all.len().div_ceil(available()).max(1); // exact: a length
     all.chunks(length).enumerate().map(|(part, some)| (part * length, some)).collect()
 }
 
-/// Returns the answers to the questions `0..count`, in their order. A thread that gets `None` asks no further.
+/// Answers to the questions `0..count`, in their order. A thread that gets `None` takes no further question.
 pub(crate) fn answers<U: Send>(threads: usize, count: usize, answer: &(dyn Fn(usize) -> Option<U> + Sync)) -> Vec<U> {
     let found = Mutex::new(Vec::new());
     run(threads, count, &|number| {
@@ -31,7 +31,7 @@ pub(crate) fn answers<U: Send>(threads: usize, count: usize, answer: &(dyn Fn(us
     found.into_inner().expect("no thread has panicked").into_iter().flatten().collect()
 }
 
-/// Returns `function` of each element, in their order.
+/// Values of `function` at each element, in their order.
 pub(crate) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sync)) -> Vec<U> {
     answers(available(), all.len(), &|number| Some(function(&all[number])))
 }

@@ -1,6 +1,6 @@
 //! Whole forcing periods, counted without loss.
 //!
-//! A count is an integer below `2^62` in magnitude, and sums that would not be are refused: Lemma N1 of `docs/proofs/clamps.md#N1`.
+//! A count is an integer below `2^62` in magnitude; sums beyond are refused: Lemma N1 of `docs/proofs/clamps.md#N1`.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -8,9 +8,9 @@ use num_traits::ToPrimitive;
 
 use crate::exact::Enclosure;
 
-/// Counts are smaller.
+/// Bound of the magnitudes of counts.
 const COUNT_LIMIT: i64 = 1 << 62;
-/// Flights of more forcing periods are not followed: forcing periods within one are exact as doubles.
+/// Longest flight that is followed, in forcing periods: forcing periods within a flight are exact as doubles.
 pub(crate) const LONGEST_FLIGHT: f64 = (1_u64 << 52) as f64; // exact: a power of two
 
 /// `turns + more`; `None` where the count ends.
@@ -18,7 +18,7 @@ pub(crate) fn later(turns: i64, more: i64) -> Option<i64> {
     turns.checked_add(more).filter(|count| (-COUNT_LIMIT < *count) && (*count < COUNT_LIMIT))
 }
 
-/// `turns + whole` for a whole number `whole` that a flight was given to last; `None` where the count ends.
+/// `turns + whole`, where `whole` is the whole number of forcing periods of a flight; `None` where the count ends.
 #[inline]
 pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     // Lemma N1: the cast is exact where the comparison holds, which fails on NaN, and then the sum does not wrap.
@@ -27,13 +27,13 @@ pub(crate) fn after(turns: i64, whole: f64) -> Option<i64> {
     (whole.abs() < COUNT_LIMIT as f64 && count.unsigned_abs() < COUNT_LIMIT as u64).then_some(count)
 }
 
-/// Returns the forcing period, less whole common periods of N forcing periods, that a phase is in: 0 with one harmonic.
+/// Forcing period of a phase, less whole common periods of `period` forcing periods: 0 with one harmonic.
 pub fn in_period(turns: &Enclosure, period: u32) -> u32 {
     let turn = turns.inf().to_rational().floor().to_integer().mod_floor(&BigInt::from(period)); // exact: a whole number
     turn.to_u32().expect("less than the period")
 }
 
-/// Returns the sum without a check, for a motion whose follower also takes it by [`after`]: a sum refused there ends the motion.
+/// The sum without a check, for a motion whose follower also takes it by [`after`]: a sum refused there ends the motion.
 #[inline(always)]
 pub(crate) fn counted(turns: i64, whole: f64) -> i64 {
     turns.wrapping_add(whole as i64) // N1: the other count ends first, and this one with it

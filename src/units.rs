@@ -13,7 +13,7 @@ use impact_pair_model::{Harmonic, ImpactPair, within};
 use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
 
-/// The quotient that errors name.
+/// Quotient that errors name.
 pub(crate) const RATIO: &str = "pair.gap / excitation.amplitude";
 const FREQUENCY: &str = "excitation.frequency";
 
@@ -27,7 +27,7 @@ pub struct Units<N> {
 }
 
 impl Units<Exact> {
-    /// Returns gaps, and gap widths per forcing period.
+    /// Gap widths, and gap widths per forcing period.
     ///
     /// # Errors
     /// If `W d` exceeds the range of exact expressions.
@@ -37,7 +37,7 @@ impl Units<Exact> {
         Ok(Self { length: pair.gap().clone(), velocity })
     }
 
-    /// Returns amplitudes of a harmonic, and its greatest speed.
+    /// Amplitude of a harmonic, and its greatest speed.
     ///
     /// # Errors
     /// If `A W` exceeds the range of exact expressions.
@@ -47,14 +47,14 @@ impl Units<Exact> {
         Ok(Self { length: amplitude.clone(), velocity })
     }
 
-    /// Encloses a velocity \[length/time\] that is given in these units, in N bits and more.
+    /// Encloses a velocity \[length/time\] that is given in these units, in `bits` bits and more.
     pub fn velocity(&self, velocity: &Enclosure, bits: u32) -> Enclosure {
         velocity.mul(&self.velocity.enclose(bits + 64), bits + 64)
     }
 }
 
 impl<N> Units<N> {
-    /// Returns the same units in another arithmetic.
+    /// The units in another arithmetic.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Units<M> {
         Units { length: f(&self.length), velocity: f(&self.velocity) }
     }
@@ -78,23 +78,23 @@ impl Phases {
         Ok(Self { rate: within(FREQUENCY, frequency, frequency.checked_div(&turn()))?, shift })
     }
 
-    /// Returns the phase at a time.
+    /// Phase at a time.
     pub fn at(&self, time: &Exact) -> Result<Exact, ExactError> {
         self.rate.checked_mul(time)?.checked_add(&self.shift)
     }
 }
 
-/// Returns the forcing period `2 pi/W` \[time\] of a harmonic.
+/// Forcing period `2 pi/W` \[time\] of a harmonic.
 pub(crate) fn period(harmonic: &Harmonic) -> Result<Exact, Error> {
     within(FREQUENCY, harmonic.frequency(), turn().checked_div(harmonic.frequency()))
 }
 
-/// Returns `d/A`: the gap in amplitudes of the harmonic, the first where there are several.
+/// `d/A`: the gap in amplitudes of the harmonic, the first where there are several.
 pub(crate) fn ratio(pair: &ImpactPair) -> Result<Exact, Error> {
     within(RATIO, pair.gap(), pair.gap().checked_div(pair.excitation().reference().amplitude()))
 }
 
-/// Returns a length in gaps; the key names it in errors.
+/// A length in gap widths; the key names the length in errors.
 pub(crate) fn in_gaps(key: &'static str, length: &Exact, pair: &ImpactPair) -> Result<Exact, Error> {
     within(key, length, length.checked_div(pair.gap()))
 }
@@ -110,7 +110,7 @@ pub(crate) fn wave(phase: &Exact) -> Result<(Exact, Exact), ExactError> {
     Ok((angle.checked_sin()?, angle.checked_cos()?))
 }
 
-/// Returns a phase \[rad\] that is given in forcing periods, its lower bound in `[0, 2 pi)`.
+/// A phase \[rad\] that is given in forcing periods, its lower bound in `[0, 2 pi)`.
 pub fn in_radians(turns: &Enclosure, bits: u32) -> Enclosure {
     let bits = bits + 64;
     let whole = Enclosure::from_rational(&turns.inf().to_rational().floor(), bits); // exact: any whole number of forcing periods

@@ -18,12 +18,12 @@ const RESULT_COLUMNS: [(&str, Kind); 7] = [
 /// Further columns of an atlas of cells, or of one that looks for horseshoes.
 const FURTHER_COLUMNS: [(&str, Kind); 2] = [("n_stable", Kind::Whole), ("entropy", Kind::Number)];
 
-/// Returns whether an atlas has the columns [`FURTHER_COLUMNS`].
+/// Whether an atlas has the columns [`FURTHER_COLUMNS`].
 fn has_more(head: &AtlasHead) -> bool {
     head.cells || head.horseshoes.is_some()
 }
 
-/// Returns the columns, in order: the point, or the tile, what varies, and the answer.
+/// Columns, in order: the point or tile, the varied parameters, and the answer.
 pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
     for over in &head.over {
@@ -40,7 +40,7 @@ pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
     columns
 }
 
-/// Returns the rows of a record: itself, or the cells that it is cut into.
+/// Rows of a record: itself, or the cells that it is cut into.
 pub fn rows<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Vec<Cell<'r>>> {
     record.leaves().into_iter().map(|leaf| row(head, leaf)).collect()
 }
@@ -67,12 +67,12 @@ fn row<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Cell<'r>> {
     cells
 }
 
-/// Returns the names of the columns as a line of CSV.
+/// Names of the columns as a line of CSV.
 pub fn csv_head(head: &AtlasHead) -> String {
     csv_names(columns(head))
 }
 
-/// Returns the rows of a record as lines of CSV.
+/// Rows of a record as lines of CSV.
 pub fn csv_rows(head: &AtlasHead, record: &AtlasRecord) -> String {
     let kinds: Vec<Kind> = columns(head).into_iter().map(|(_, kind)| kind).collect();
     rows(head, record).iter().map(|row| csv_line(row, &kinds)).collect()

@@ -11,7 +11,7 @@ use crate::scene::{Key, Scene};
 use crate::sweep::{Head, Line, axes};
 use crate::{Error, sweep};
 
-/// Returns what an atlas is about; a shard is given by its number and of how many.
+/// Head of an atlas: its scene, plane and settings; a shard is given by its number and the number of shards.
 pub fn head(scene: &Scene, plane: &Plane, settings: &GlobalSettings, shard: Option<[u64; 2]>) -> AtlasHead {
     AtlasHead {
         schema: ATLAS_SCHEMA.to_owned(),
@@ -58,7 +58,7 @@ pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, to
 /// Numbers of points, or of smallest cells, of which a property is proved. Lemmas A20, A21
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shares {
-    /// All of them.
+    /// Number of all points or smallest cells.
     pub all: u64,
     /// Number of those whose class is decided.
     pub decided: u64,
@@ -71,7 +71,7 @@ pub struct Shares {
 }
 
 impl Shares {
-    /// Returns those of a record: of a point, or of a tile and the cells that it is cut into. Lemmas A20, A21
+    /// Shares of a record: of a point, or of a tile and the cells that it is cut into. Lemmas A20, A21
     pub fn of(plane: &Plane, record: &AtlasRecord) -> Self {
         if !plane.has_cells() {
             return Self::of_leaf(record, 1);
@@ -86,7 +86,7 @@ impl Shares {
         within(record, plane.tile(record.point))
     }
 
-    /// Returns the numbers of a record that is not subdivided, with `all` smallest cells.
+    /// Shares of a record that is not subdivided, with `all` smallest cells.
     fn of_leaf(record: &AtlasRecord, all: u64) -> Self {
         let [is_stable, is_chaotic] = [!record.stable.is_empty(), record.entropy() > 0.0];
         let if_open = |is: bool| if is && !record.is_decided() { all } else { 0 };
@@ -99,7 +99,7 @@ impl Shares {
         }
     }
 
-    /// Returns those of both.
+    /// Sums of two shares.
     pub fn with(self, other: Self) -> Self {
         Self {
             all: self.all + other.all,

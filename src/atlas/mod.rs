@@ -1,7 +1,7 @@
 //! The fate of every motion, over the plane of two parameters: at the points of a grid, or for all parameters of cells.
 //!
-//! A [`Plane`] has exact points, or cells whose parameters are intervals between exact values; of each [`record`] has the answer of a
-//! global analysis, [`crate::chaos::Global`]. Points and tiles do not know of each other, so they may be computed in any order.
+//! A [`Plane`] has exact points, or cells whose parameters are intervals between exact values. A [`record`] holds the global analysis
+//! ([`crate::chaos::Global`]) of one point or tile. Points and tiles are independent, so they may be computed in any order.
 
 mod columns;
 mod document;

@@ -5,7 +5,7 @@ use crate::exact::Exact;
 use crate::scene::{Key, Range, Scene};
 use crate::sweep::Grid;
 
-/// Tiles along an axis: what cells are cut from, each by itself.
+/// Greatest number of tiles along an axis: each is cut into cells by itself.
 const MAX_TILES: u64 = 8;
 
 /// Two axes of parameters.
@@ -15,7 +15,7 @@ pub struct Plane {
     cells: bool,
 }
 
-/// A cell, by the positions of its ends on each axis: the smallest ones are from one position to the next.
+/// A cell, by the positions of its ends on each axis: the smallest cells are from one position to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rectangle {
     /// The lower ends.
@@ -25,10 +25,10 @@ pub struct Rectangle {
 }
 
 impl Plane {
-    /// Returns the plane of these axes, of whose points, or with `cells` of whose cells there are as many as each of them says.
+    /// Plane of these axes; each axis gives its number of points, or with `cells` of cells.
     ///
     /// # Errors
-    /// Returns an error if there are not exactly two axes, if one of them is no parameter of the pair, or as [`Grid::new`] does.
+    /// If there are not exactly two axes, if one of them is no parameter of the pair, or as [`Grid::new`] does.
     ///
     /// ```
     /// use impact_pair::atlas::Plane;
@@ -50,22 +50,22 @@ impl Plane {
         Ok(Self { grid: Grid::new(axes)?, cells })
     }
 
-    /// Returns the axes.
+    /// The axes.
     pub fn axes(&self) -> [&Range; 2] {
         [&self.grid.axes()[0], &self.grid.axes()[1]]
     }
 
-    /// Returns whether it is one of cells.
+    /// Whether the plane is one of cells.
     pub fn has_cells(&self) -> bool {
         self.cells
     }
 
-    /// Returns the number of points, or of tiles that cells are cut from.
+    /// Number of points, or of tiles that cells are cut from.
     pub fn points(&self) -> u64 {
         if self.cells { self.tiles().iter().product() } else { self.grid.points() }
     }
 
-    /// Returns the number of points, or of the smallest cells, along each axis.
+    /// Number of points, or of the smallest cells, along each axis.
     pub fn counts(&self) -> [u64; 2] {
         self.axes().map(Range::points)
     }
@@ -75,7 +75,7 @@ impl Plane {
         self.counts().map(|count| count.min(MAX_TILES)) // A20: any tiles
     }
 
-    /// Returns the tile of this number, from 0.
+    /// Tile of this number, from 0.
     pub fn tile(&self, point: u64) -> Rectangle {
         let (tiles, counts) = (self.tiles(), self.counts());
         let at = [(point / tiles[1]) % tiles[0], point % tiles[1]];
@@ -83,7 +83,7 @@ impl Plane {
         Rectangle { from: end(0), to: end(1) }
     }
 
-    /// Returns the intervals of a cell, one per axis.
+    /// Intervals of a cell, one per axis.
     ///
     /// # Errors
     /// If an end is beyond the range of exact expressions.
@@ -99,18 +99,18 @@ impl Plane {
         self.axes().into_iter().zip(cell.from.iter().zip(&cell.to)).map(interval).collect()
     }
 
-    /// Returns the values of a point, or the intervals of a tile.
+    /// Values of a point, or intervals of a tile.
     ///
     /// # Errors
-    /// If one is beyond the range of exact expressions.
+    /// If a value is beyond the range of exact expressions.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         if self.cells { self.intervals(&self.tile(point)) } else { self.grid.values(point) }
     }
 
-    /// Returns the scenes at the four corners, of which all other ones are between.
+    /// Scenes at the four corners; all other scenes of the plane are between them.
     ///
     /// # Errors
-    /// Returns an error if one of them is not a valid scene.
+    /// If one of them is not a valid scene.
     pub fn corners(&self, scene: &Scene) -> Result<Vec<Scene>, Error> {
         let corners = self.grid.corners().into_iter();
         corners.map(|point| scene.with(&self.grid.values(point)?)).collect()
@@ -118,7 +118,7 @@ impl Plane {
 }
 
 impl Rectangle {
-    /// Returns the cells that it is cut into, in two or in four; none where it is one of the smallest.
+    /// Cells that this cell is cut into, two or four; none where it is one of the smallest.
     pub fn quarters(&self) -> Vec<Self> {
         let halves = [0, 1].map(|axis| {
             let (from, to) = (self.from[axis], self.to[axis]);
@@ -132,7 +132,7 @@ impl Rectangle {
         all.map(|((x0, x1), (y0, y1))| Self { from: [x0, y0], to: [x1, y1] }).collect()
     }
 
-    /// Returns how many of the smallest cells it has.
+    /// Number of the smallest cells that it holds.
     pub fn smallest(&self) -> u64 {
         (self.to[0] - self.from[0]) * (self.to[1] - self.from[1])
     }

@@ -12,11 +12,11 @@ use crate::scene::{Key, Scene};
 use crate::watch::Watch;
 use crate::{Error, document as written};
 
-/// Returns where every motion goes at a point, or at all parameters of a tile and of the cells that it is cut into while that is not
-/// decided; `None` if the watch stops it before.
+/// Global analysis at a point, or for all parameters of a tile and of the cells that it is cut into while undecided. `None` if the watch stops
+/// the analysis.
 ///
 /// # Errors
-/// Returns the errors of [`Global::of`].
+/// As of [`Global::of`].
 pub fn record(
     scene: &Scene,
     plane: &Plane,
@@ -30,7 +30,7 @@ pub fn record(
     analysed(scene, settings, point, &plane.values(point)?, watch)
 }
 
-/// Returns the record of a cell, and of those that it is cut into while that is undecided. Lemmas A20, A21
+/// Record of a cell, and of the cells that it is cut into while undecided. Lemmas A20, A21
 fn of_cell(
     scene: &Scene,
     plane: &Plane,

@@ -16,7 +16,7 @@ use crate::shaken::{Flying, Origin};
 const BLOCK_SIZE: usize = 4096;
 /// Impacts that are proposed anew where a link is not proved: another orbit is then far enough from the one that fails there.
 const REPROPOSED_IMPACTS: usize = 60;
-/// Impacts that are looked ahead: contracting directions and sides have forgotten by then where they began.
+/// Impacts that are looked ahead: contracting directions and sides have forgotten their beginning by then.
 pub(crate) const LOOKAHEAD: usize = 512;
 /// Number of times in a block that a link is avoided by moving the orbit before it.
 const MAX_TRIES: u32 = 2;
@@ -29,10 +29,10 @@ pub(crate) trait Covering: std::fmt::Debug + Send {
     /// The next nodes, proved; empty at the end.
     fn advance(&mut self) -> Vec<Node>;
 
-    /// The reason why there are no more nodes; `None` while there are.
+    /// Reason why there are no more nodes; `None` while there are.
     fn ending(&self) -> Option<&Ending>;
 
-    /// Returns whether the motion was seen to expand beyond the last node.
+    /// Whether the motion was seen to expand beyond the last node.
     fn expands(&self) -> bool;
 }
 
@@ -42,10 +42,10 @@ pub(crate) struct Chain<S: Flying, B> {
     beginning: B,
     /// Half the length of the curve of starts.
     reach: f64,
-    /// The first one has been handed out, but for a chain that has not begun.
+    /// Points of the chain; the first one has been handed out, except in a chain that has not begun.
     points: Vec<Point>,
     is_begun: bool,
-    /// Nodes that are still requested.
+    /// Number of nodes that are still requested.
     left: usize,
     /// Directions were seen to expand as far as was looked ahead, more or less.
     expands: bool,
@@ -53,7 +53,7 @@ pub(crate) struct Chain<S: Flying, B> {
 }
 
 impl<S: Flying> Chain<S, Segment<S::Waves<Ball>>> {
-    /// Returns the chain from an origin, of as many nodes as are requested; without end where none are given.
+    /// Chain from an origin, of `nodes` nodes; endless for `None`.
     pub fn from_origin(shaken: Arc<S>, origin: Origin<Ball>, nodes: Option<u64>) -> Self {
         let segment = Segment::new(&*shaken, origin);
         Self::new(shaken, segment, nodes)
@@ -61,7 +61,7 @@ impl<S: Flying> Chain<S, Segment<S::Waves<Ball>>> {
 }
 
 impl<S: Flying, B: Beginning<S>> Chain<S, B> {
-    /// Returns the same from any beginning.
+    /// Chain from any beginning.
     pub fn new(shaken: Arc<S>, beginning: B, nodes: Option<u64>) -> Self {
         let left = nodes.and_then(|nodes| usize::try_from(nodes).ok()).unwrap_or(usize::MAX); // exact: more are not counted
         let mut chain = Self {
@@ -85,8 +85,8 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         chain
     }
 
-    /// Returns whether a state is proved to come to rest on its wall, after infinitely many impacts or none; `phases` are those of
-    /// several harmonics, where they are known exactly. Lemmas Z1, H7
+    /// Whether a state is proved to come to rest on its wall, after infinitely many impacts or none. `phases` are those of several harmonics,
+    /// where they are known exactly. Lemmas Z1, H7
     fn comes_to_rest(&self, (wall, turns, phase, before): OnWall, phases: &[Exact]) -> bool {
         let after = wall.inward(self.shaken.pair().rebound_of(before));
         let time = |phase| self.shaken.accumulation(wall, turns, &phase, after, phases);
@@ -99,7 +99,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         Ok(Point::at(&landing, self.beginning.scale(), self.stretched(&landing)))
     }
 
-    /// Returns what the chain begins with.
+    /// The beginning of the chain.
     pub fn beginning(&self) -> &B {
         &self.beginning
     }
@@ -110,14 +110,14 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         [phase, velocity / self.beginning.scale()]
     }
 
-    /// The number of the last point that this block hands out, and of the last one that it proves: all that is requested, or a block.
+    /// Numbers of the last point that this block hands out, and of the last one that it proves: of all requested points, or of a block.
     fn goals(&self) -> (usize, usize) {
         // The first point has been handed out, but for a chain that has not begun.
         let last = self.left.saturating_sub(usize::from(!self.is_begun)); // proposes: how far
         if last <= BLOCK_SIZE { (last, last) } else { (BLOCK_SIZE, BLOCK_SIZE + REPROPOSED_IMPACTS) }
     }
 
-    /// Proposes points up to the horizon; what stops them.
+    /// Proposes points up to the horizon; returns the question that stops them.
     fn propose(&mut self, goal: usize) -> Option<Undecided> {
         while self.points.len() <= goal + LOOKAHEAD {
             let last = self.points.last_mut()?;
@@ -129,7 +129,7 @@ impl<S: Flying, B: Beginning<S>> Chain<S, B> {
         None
     }
 
-    /// Proves the links up to point number `end`, which are planned; else the number of the first one that is not.
+    /// Proves the links up to point number `end`, which are planned; else returns the number of the first link that fails.
     fn prove(&mut self, end: usize) -> Result<(), (usize, Option<Undecided>)> {
         if !self.is_begun {
             self.begin().map_err(|undecided| (0, undecided))?;

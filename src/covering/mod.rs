@@ -1,9 +1,9 @@
 //! Shadowing: a true orbit near a pseudo-orbit, proved by parallelograms each of which covers the next.
 //!
-//! Precision that rises costs half a bit for each impact of a chaotic motion, and the widths of sets that fly grow. Here the
-//! question is another: is there a true orbit, from a start very near the given one, with these impacts, each this near to
-//! where doubles have it? Along the expanding direction the set of states that are considered is stretched over the next one
-//! instead of being followed, so that widths never grow, however long the orbit. Lemmas F1-F4 of `docs/proofs/covering.md#F1`.
+//! Rising precision costs half a bit for each impact of a chaotic motion, and the widths of flying sets grow. Here the question is another. Does
+//! a true orbit, from a start very near the given one, have these impacts, each this near to its place in doubles? Along the expanding direction
+//! the set of states is stretched over the next set instead of being followed. So widths never grow, however long the orbit. Lemmas F1-F4 of
+//! `docs/proofs/covering.md#F1`.
 
 pub(crate) mod chain;
 pub(crate) mod node;
@@ -45,7 +45,7 @@ pub enum Ending {
 /// **Enclosure**: for all parameters of the scene and every start that it allows there is a start with the same time and place
 /// whose velocity lies in [`Shadow::start`] (with the same velocity and a time in there, where no velocity is left after the
 /// impact) and whose true orbit has the impacts listed, as its first ones and without another contact between: impact `i` is on
-/// that wall, N forcing periods later, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
+/// that wall, in the listed forcing period, with phase and velocity in the balls. It is *one* start for all impacts listed, however many;
 /// the orbit of the given start itself is another. Lemmas F1-F4
 /// **Cost**: two certified flights an impact, and about 2 MB.
 ///
@@ -77,7 +77,7 @@ pub struct Shadow {
 }
 
 impl Shadow {
-    /// Returns the orbit of `pair` near the one from `start`.
+    /// The orbit of `pair` near the one from `start`.
     ///
     /// # Errors
     /// If the start is not in the box of `pair`, or a value is beyond the range of double-precision flights.
@@ -91,7 +91,7 @@ impl Shadow {
         Ok(Self { clock, chain, nodes, listed: 0, wall })
     }
 
-    /// Returns the orbit near that of a scene; errors have the line in the scene file.
+    /// The orbit near that of a scene; errors have the line in the scene file.
     ///
     /// # Errors
     /// As [`Shadow::new`].
@@ -99,21 +99,21 @@ impl Shadow {
         Self::new(scene.pair(), scene.start()).map_err(|error| scene.located(error, &scene.settings()))
     }
 
-    /// Returns where the orbit starts: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap
-    /// widths per forcing period, before the impact for a start on a wall.
+    /// Start of the orbit: whole forcing periods since the clock's origin, the rest of the phase, and the velocity in gap widths per forcing
+    /// period, before the impact for a start on a wall.
     ///
-    /// **Enclosure**: the start is in there; of the two the one that is the scene's is exactly that.
+    /// **Enclosure**: phase and velocity hold the start; whichever of them is the scene's is exact.
     pub fn start(&self) -> (i64, Ball, Ball) {
         let State { turns, phase, velocity, .. } = self.chain.starts().bounds;
         (turns, phase, velocity)
     }
 
-    /// Converts phases into times and reduced velocities into velocities.
+    /// Clock that converts phases into times, and velocities without units into velocities of the scene.
     pub fn clock(&self) -> &Clock {
         &self.clock
     }
 
-    /// Returns why no impact follows; `None` while there are more.
+    /// Reason why no impact follows; `None` while there are more.
     pub fn ending(&self) -> Option<&Ending> {
         self.chain.ending().filter(|_| self.nodes.as_slice().is_empty())
     }

@@ -19,7 +19,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Returns the axes of a curve that is given by a parameter.
+    /// Axes of a curve that is given by a parameter.
     pub fn of_curve(scale: f64) -> Self {
         Self { unstable: [1.0, 0.0], stable: [0.0, 1.0], scale }
     }
@@ -32,7 +32,7 @@ pub(crate) struct Node {
     /// Whole forcing periods of the centre and the rest, in `[-1/2, 1/2]`.
     pub turns: i64,
     pub phase: f64,
-    /// Before the impact, in gap widths per forcing period.
+    /// Velocity of the centre before the impact, in gap widths per forcing period.
     pub velocity: f64,
     pub axes: Axes,
     pub sides: [f64; 2],
@@ -53,7 +53,7 @@ pub(crate) struct Landing {
 }
 
 impl Landing {
-    /// Returns the landing of flights that left in the forcing period `from`.
+    /// Landing of flights that left in the forcing period `from`.
     #[inline(always)]
     pub fn new(from: i64, image: &SetContact, jacobian: Sheared<Ball>) -> Result<Self, Undecided> {
         let Contact { wall, turns, .. } = image.all;
@@ -85,7 +85,7 @@ impl Node {
         self.sides[0] * unstable.abs() + self.sides[1] * stable.abs() + TINY
     }
 
-    /// Proves that all flights from the node land on one wall, N forcing periods later, transversally.
+    /// Proves that all flights from the node land on one wall, in one forcing period, transversally.
     #[inline(always)]
     pub fn land<S: Flying>(&self, shaken: &S) -> Result<Landing, Undecided> {
         let Self { wall, turns, .. } = *self;
@@ -116,7 +116,7 @@ fn least(x: Ball) -> f64 {
 }
 
 impl Link {
-    /// Returns the link from a set with these axes that lands so, to a node; `None` on another wall or in another forcing period.
+    /// Link from a set with these axes and this landing to a node; `None` on another wall or in another forcing period.
     #[inline(always)]
     pub fn new(from: &Axes, landing: &Landing, to: &Node) -> Option<Self> {
         if (landing.wall, landing.turns) != (to.wall, to.turns) {
@@ -157,7 +157,7 @@ impl Link {
         })
     }
 
-    /// Condition 2 of Lemma F1, for the sides of the one and of the other; never where the axes of the other may be parallel.
+    /// Condition 2 of Lemma F1, for the sides of two nodes; false where the axes of the second node may be parallel.
     #[inline(always)]
     pub fn covers(&self, [a, b]: [f64; 2], [next_a, next_b]: [f64; 2]) -> bool {
         let inside = up(self.determinant.1 * next_a + self.leak * b + self.noise[0] + TINY);
@@ -173,7 +173,7 @@ impl Link {
         up(self.tilt * a + self.squeeze * b + self.noise[1] + TINY)
     }
 
-    /// Returns the narrowest node that is covered, about; none where the axes may be parallel.
+    /// Approximate width of the narrowest covered node; infinite or negative where the axes may be parallel.
     #[inline(always)]
     pub fn narrowest(&self, sides: [f64; 2]) -> f64 {
         self.width(sides) / self.determinant.0 * (1.0 + 16.0 * UNIT)

@@ -26,7 +26,7 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    /// Returns the point where flights land, the centre's flight coming from a point with this image of its unstable direction.
+    /// Point where flights land, the centre's flight coming from a point with this image of its unstable direction.
     pub fn at(landing: &Landing, scale: f64, unstable: [f64; 2]) -> Self {
         let Landing { wall, turns, phase, velocity, slope, .. } = *landing;
         let [u1, u2] = normalised(unstable);
@@ -63,7 +63,7 @@ impl Point {
         Ok(Self { node, noise, jacobian: [[0.0; 2]; 2], growth: 1.0 })
     }
 
-    /// Returns the same one unit in the last place faster: that counts as noise.
+    /// The point one unit in the last place faster: the move counts as noise.
     pub fn moved(&self) -> Self {
         let Node { velocity, axes, .. } = self.node;
         let moved = velocity * (1.0 + f64::EPSILON);
@@ -79,7 +79,7 @@ impl Point {
         ((s2 - s1 * slope).abs() * phase + s1.abs() * velocity) / (u1 * s2 - u2 * s1).abs()
     }
 
-    /// Half the unstable side of what covers this node and is stretched so.
+    /// Half the unstable side of a node before, stretched by `growth`, that covers this node.
     pub fn covering_side(&self, growth: f64) -> f64 {
         MARGIN * (self.node.sides[0] + NOISE_MARGIN * self.unstable_noise()) / growth
     }
@@ -94,7 +94,7 @@ pub(crate) fn plan(points: &mut [Point], first: usize) {
     for k in (first..points.len() - 1).rev() {
         let next = points[k + 1];
         let [[a, b], [c, d]] = points[k].jacobian;
-        // The adjugate: the inverse but for a factor, and right where a dead impact leaves none.
+        // The adjugate: the inverse but for a factor, and right where a perfectly plastic impact leaves none.
         points[k].node.axes.stable = normalised(applied([[d, -b], [-c, a]], next.node.axes.stable));
         points[k].node.sides[0] = next.covering_side(points[k].growth);
     }

@@ -12,7 +12,7 @@ use crate::shaken::{Flying, Location, Origin, State};
 /// A state on a wall: whole forcing periods, the rest of the phase, and the velocity before the impact.
 pub(crate) type OnWall = (Wall, i64, Ball, Ball);
 
-/// A curve of starts that a chain begins with, and where all of them land first: Lemmas F3, F6.
+/// A curve of starts that a chain begins with, and the first landing of all these starts: Lemmas F3, F6.
 pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     /// The unit of velocities, a power of two.
     fn scale(&self) -> f64;
@@ -20,15 +20,14 @@ pub(crate) trait Beginning<S>: std::fmt::Debug + Send {
     /// The starts within `a`, in units of the curve's parameter.
     fn starts(&self, a: f64) -> Starts;
 
-    /// Proves that all of the starts within `a` come to one wall, N forcing periods later, transversally; the derivative is that by the
-    /// parameter.
+    /// Proves that all starts within `a` come to one wall, in one forcing period, transversally. The derivative is by the curve's parameter.
     fn land(&mut self, shaken: &S, a: f64) -> Result<Landing, Undecided>;
 
-    /// The start on a wall itself, and its phases with several harmonics where they are known exactly.
+    /// The given start, if it is on a wall, and its phases with several harmonics where they are known exactly.
     fn on_wall(&self) -> Option<(OnWall, &[Exact])>;
 }
 
-/// The quantity in which starts differ from the one requested; all else is as it is requested.
+/// Quantity in which starts differ from the requested one; all else is as requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Varied {
     Time,
@@ -36,13 +35,13 @@ pub(crate) enum Varied {
 }
 
 impl Varied {
-    /// Returns the velocity; the time where no velocity is left after the impact. Lemma F3
+    /// The velocity; the time where no velocity is left after the impact. Lemma F3
     pub fn of(pair: &Reduced<Ball>, initial: &State<Ball>) -> Self {
         let is_left = initial.place.wall().is_none() || pair.rebound_of(initial.velocity) != Ball::exact(0.0);
         if is_left { Self::Velocity } else { Self::Time }
     }
 
-    /// Returns its direction, in (phase, velocity).
+    /// Direction of the quantity, in (phase, velocity).
     pub fn direction(self) -> [f64; 2] {
         match self {
             Self::Time => [1.0, 0.0],
@@ -60,16 +59,16 @@ impl Varied {
     }
 }
 
-/// Starts near the one requested, for which it is known what they differ in.
+/// Starts near the requested one that differ from it in a known quantity.
 #[derive(Clone, Debug)]
 pub(crate) struct Starts {
     pub varied: Varied,
-    /// Bounds of all of them.
+    /// Bounds of all starts.
     pub bounds: State<Ball>,
 }
 
 impl Starts {
-    /// Returns the starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
+    /// Starts that differ by at most `apart`, in forcing periods or in gap widths per forcing period.
     pub fn within(apart: f64, varied: Varied, requested: &State<Ball>) -> Self {
         Self { varied, bounds: varied.widened(requested, apart) }
     }
@@ -89,7 +88,7 @@ pub(crate) struct Segment<W> {
 }
 
 impl<W> Segment<W> {
-    /// Returns the segment around the start of a motion that is followed from an origin.
+    /// Segment around the start of a motion that is followed from an origin.
     pub fn new<S: Flying<Waves<Ball> = W>>(shaken: &S, origin: Origin<Ball>) -> Self {
         let initial = origin.initial().clone();
         let varied = Varied::of(shaken.pair(), &initial);

@@ -88,7 +88,7 @@ mod refined {
         along: Vec<f64>,
     }
 
-    /// Returns whether an impact is in a node's box, and its coordinate from the node's centre along the unstable axis.
+    /// Whether an impact is in a node's box, and its coordinate from the node's centre along the unstable axis.
     fn placed(impact: &Impact, node: &Node) -> (bool, f64) {
         let (phase, velocity) = *impact.precise.clone().expect("bits");
         let point = |x: f64| Enclosure::from_f64_bounds(x, x).unwrap();

@@ -17,7 +17,7 @@ use crate::{Error, Scene};
 const MOST_EVENTS: usize = 4096;
 
 impl Description {
-    /// Returns the document of the scene; commands name it by `name`, the path of its file.
+    /// The document of the scene; commands name the scene by `name`, the path of its file.
     ///
     /// # Errors
     /// If a value exceeds the range of exact expressions.

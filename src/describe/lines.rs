@@ -8,7 +8,7 @@ use crate::exact::{Exact, decimal_digits};
 /// Bits that show bounds.
 const BITS: u32 = 160;
 
-/// Returns the lines of a description: each a label, which may come several times, and a text.
+/// Lines of a description: each a label, which may come several times, and a text.
 pub fn lines(document: &DescriptionDocument) -> Vec<(&'static str, String)> {
     let certified = if document.certified { "certified: " } else { "" };
     let mut lines = vec![("fate", format!("{certified}{}", document.fate.message))];

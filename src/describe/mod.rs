@@ -101,7 +101,7 @@ pub fn describe(scene: &Scene, request: &Request, watch: &dyn Watch) -> Result<D
 }
 
 impl Description {
-    /// Returns the trapping region, if one is proved.
+    /// The trapping region, if one is proved.
     pub fn region(&self) -> Option<&Trap> {
         match &self.region {
             Region::Proved(trap) => Some(trap),
@@ -109,7 +109,7 @@ impl Description {
         }
     }
 
-    /// Returns the horseshoe, if a positive lower bound of the entropy is proved.
+    /// The horseshoe, if a positive lower bound of the entropy is proved.
     pub fn horseshoe(&self) -> Option<&Chaos> {
         match &self.horseshoe {
             Horseshoe::Searched(chaos) if chaos.entropy() > 0.0 => Some(chaos),

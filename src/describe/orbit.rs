@@ -18,7 +18,7 @@ const DOUBLES_FACTOR: u64 = 10;
 /// An orbit, followed as far as its fate requires.
 #[derive(Debug)]
 pub(super) struct Followed {
-    /// Its events and its outcome.
+    /// Events and outcome of the orbit.
     pub document: OrbitDocument,
     /// The finite-time exponent over its impacts.
     pub exponent: Exponent,
@@ -27,12 +27,12 @@ pub(super) struct Followed {
 }
 
 impl Followed {
-    /// Returns the fate that its outcome proves, if any.
+    /// The fate that the outcome proves, if any.
     pub fn decides(&self) -> Option<FateName> {
         FateName::of_outcome(&self.document.outcome.kind)
     }
 
-    /// Returns the number of impacts that are certified.
+    /// Number of certified impacts.
     pub fn impacts(&self) -> u64 {
         self.document.outcome.impacts.unwrap_or_default()
     }

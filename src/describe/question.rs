@@ -28,7 +28,7 @@ const TOO_COARSE: &str =
 /// The factor of the impacts of a next attempt.
 const NEXT_FACTOR: u64 = 10;
 
-/// Returns the reason why no motion of a scene's pair is proved to converge to a periodic orbit, if there is one.
+/// Reason why no motion of a scene's pair is proved to converge to a periodic orbit, if there is one.
 pub(super) fn is_unattracted(scene: &Scene) -> Result<Option<&'static str>, Error> {
     let pair = scene.pair();
     if pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Equal) {
@@ -39,7 +39,7 @@ pub(super) fn is_unattracted(scene: &Scene) -> Result<Option<&'static str>, Erro
 }
 
 impl Description {
-    /// Returns the questions that are undecided, each with a command on the scene of this name.
+    /// Undecided questions, each with a command on the scene of this name.
     pub(super) fn undecided(&self, fate: FateName, name: &str) -> Vec<QuestionDocument> {
         let name = quoted(name);
         let question = |question: &str, command: String| QuestionDocument { question: question.to_owned(), command };
@@ -78,8 +78,8 @@ impl Description {
         all
     }
 
-    /// Returns the undecided question about the orbit, and a command that continues; `None` where none leads further: then the reason is among
-    /// what is not examined.
+    /// The undecided question about the orbit, and a command that continues. `None` where none leads further: then the reason is among the
+    /// questions that were not examined.
     fn orbit_question(&self, name: &str) -> Option<(String, String)> {
         let (impacts, more) = (self.orbit.impacts(), self.request.impacts.saturating_mul(NEXT_FACTOR));
         if self.is_interrupted {
@@ -100,7 +100,7 @@ impl Description {
         }
     }
 
-    /// Returns the questions that were not examined, each with the reason.
+    /// Questions that were not examined, each with the reason.
     pub(super) fn not_examined(&self) -> Vec<NotExaminedDocument> {
         let not_examined = |question: &str, reason: &str| NotExaminedDocument {
             question: question.to_owned(),
@@ -129,7 +129,7 @@ impl Description {
     }
 }
 
-/// Returns the name of a file, quoted for a shell.
+/// Name of a file, quoted for a shell.
 fn quoted(name: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@".contains(c);
     if !name.is_empty() && name.chars().all(is_plain) {

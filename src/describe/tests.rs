@@ -12,7 +12,7 @@ fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
     scene(&excitation, &pair, "time = 0, wall = \"left\", velocity = -12.56636")
 }
 
-/// Returns the description of a scene without a search for a horseshoe, which takes long.
+/// Description of a scene without a search for a horseshoe, which takes long.
 fn described(scene: &Scene) -> DescriptionDocument {
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
     let request = Request { impacts: 500, ..Request::default() };

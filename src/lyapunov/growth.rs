@@ -3,7 +3,7 @@
 use super::scaled::Scaled;
 use crate::number::{Ball, Number, logarithm, up};
 
-/// A tangent vector `length (c + s c')`, `c` the frame and `c'` the frame turned by a quarter.
+/// A tangent vector `length (c + s c')`, `c` the frame and `c'` the frame rotated by a right angle.
 #[derive(Clone, Copy, Debug)]
 struct Tangent {
     /// `c`, exactly.
@@ -80,10 +80,9 @@ pub struct Growth {
 }
 
 impl Growth {
-    /// Returns the unit matrix.
+    /// The unit matrix.
     ///
-    /// If `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is `-e`
-    /// times something.
+    /// If `is_dead`, `e = 0`: every Jacobian maps the direction of the velocity to 0, as its second column is a multiple of `-e`.
     pub fn new(is_dead: bool) -> Self {
         let (first, second) = if is_dead {
             (Tangent::new([1.0, 0.0], Ball::exact(1.0)), None)
@@ -98,7 +97,7 @@ impl Growth {
 
     /// Multiplies by a Jacobian from the left; `determinant` encloses its determinant.
     ///
-    /// False when a direction is lost: nothing is known of the product from then on.
+    /// False when a direction is lost: from then on the product is unknown.
     #[must_use]
     pub fn multiply(&mut self, jacobian: &[[Ball; 2]; 2], determinant: Ball) -> bool {
         let image = |vector: &Tangent| vector.image(jacobian);
@@ -110,7 +109,7 @@ impl Growth {
         true
     }
 
-    /// Returns how many matrices have been multiplied.
+    /// Number of multiplied matrices.
     pub fn matrices(&self) -> u64 {
         self.matrices
     }
@@ -141,7 +140,7 @@ mod tests {
     use super::*;
     use crate::tolerances::{NORM_OF_PRODUCT, NORM_OF_THOUSAND_FACTORS};
 
-    /// `ln` of the norm by floating point.
+    /// `ln` of the norm in floating point.
     fn norm([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
         let (squares, determinant) = (a * a + b * b + c * c + d * d, a * d - b * c);
         (0.5 * (squares + (squares * squares - 4.0 * determinant * determinant).sqrt())).ln() / 2.0

@@ -45,7 +45,7 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// Returns whether there is none, proved; otherwise it could not be found.
+    /// Whether the exponent is proved not to exist; otherwise it could not be found.
     pub fn is_definite(self) -> bool {
         match self {
             Self::NoImpacts | Self::Unpressed => true,
@@ -54,7 +54,7 @@ impl Unknown {
         }
     }
 
-    /// Returns its name in documents.
+    /// Name of the reason in documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoImpacts => "no-impacts",
@@ -95,12 +95,12 @@ pub struct Disturbance {
 }
 
 impl Disturbance {
-    /// Returns a disturbance of the state at the orbit's start, or, in the gap, at its first impact; before it is advanced.
+    /// Disturbance of the state at the orbit's start, or, in the gap, at its first impact; before the orbit is advanced.
     pub fn of(orbit: &Orbit) -> Self {
         Self::new(orbit, orbit.start_impact())
     }
 
-    /// Returns a disturbance of the state at an impact.
+    /// Disturbance of the state at an impact.
     pub fn at(orbit: &Orbit, impact: Impact) -> Self {
         Self::new(orbit, Some(impact))
     }
@@ -120,14 +120,14 @@ impl Disturbance {
         }
     }
 
-    /// Returns the growth in periods of another harmonic, of which a given number are one period of the fastest: (A.7) then has times in these
-    /// of it and velocities in gap widths per forcing period of it. Before it is followed.
+    /// The growth in periods of another harmonic; `rate` of them are one period of the fastest harmonic. (A.7) then has times in these periods
+    /// and velocities in gap widths per such period. To be called before the disturbance is followed.
     #[must_use]
     pub fn in_turns_of(self, rate: Option<Ball>) -> Self {
         Self { rate: rate.map(|rate| [rate, rate * rate]), ..self }
     }
 
-    /// Follows it over the orbit's next event.
+    /// Follows the disturbance over the orbit's next event.
     pub fn follow(&mut self, orbit: &Orbit, event: &Progress) {
         self.note(orbit, event);
         match event {
@@ -142,7 +142,7 @@ impl Disturbance {
         }
     }
 
-    /// Notes what its limit depends on, from the first impact on, whether or not the growth is known.
+    /// Notes events that the limit depends on, from the first impact on, whether or not the growth is known.
     fn note(&mut self, orbit: &Orbit, event: &Progress) {
         let is_smooth = self.passed == Passed::Flights && self.last.is_some();
         match event {
@@ -153,12 +153,12 @@ impl Disturbance {
         }
     }
 
-    /// Returns whether the flight from the last impact is proved to have a derivative, if there is such an impact. Lemma L3
+    /// Whether the flight from the last impact is proved to have a derivative, if there is such an impact. Lemma L3
     fn leaves(&self, orbit: &Orbit) -> bool {
         self.last.as_ref().is_none_or(|last| orbit.leaves(last))
     }
 
-    /// Returns what it has passed.
+    /// Events that the disturbance has passed.
     pub fn passed(&self) -> Passed {
         self.passed
     }
@@ -180,15 +180,14 @@ impl Disturbance {
         self.is_lost = !is_known;
     }
 
-    /// (A.7) in the units requested: with times `r` times as many and velocities `1/r` times, `dt/dv` is `r^2` times and `dv/dt` `1/r^2`
-    /// times what it is.
+    /// (A.7) in the requested units: times are multiplied by `r` and velocities by `1/r`, so `dt/dv` by `r^2` and `dv/dt` by `1/r^2`.
     fn in_reference(&self, jacobian: [[Ball; 2]; 2]) -> Option<[[Ball; 2]; 2]> {
         let Some([_, square]) = self.rate else { return Some(jacobian) };
         let [[tt, tv], [vt, vv]] = jacobian;
         Some([[tt, tv * square], [vt.checked_div(square)?, vv]])
     }
 
-    /// Returns the exponent over the impacts so far. Lemma L3
+    /// The exponent over the impacts so far. Lemma L3
     pub fn exponent(&self) -> Exponent {
         if let Some(settled) = self.settled {
             return settled;

@@ -39,7 +39,7 @@ impl Scaled {
         once.times(self.mantissa).times(self.mantissa)
     }
 
-    /// Returns the mantissa in units of `2^exponent`, for an exponent that is not much smaller than its own.
+    /// Mantissa in units of `2^exponent`, for an exponent that is not much smaller than the number's own.
     pub fn in_units_of(self, exponent: i64) -> Ball {
         let shift = self.exponent - exponent;
         if shift < -i64::from(NEGLIGIBLE_EXPONENT + 2 * MAX_EXPONENT) {
@@ -54,7 +54,7 @@ impl Scaled {
         Self { mantissa: self.in_units_of(exponent) + other.in_units_of(exponent), exponent }
     }
 
-    /// Encloses its logarithm; `None` when it may be 0.
+    /// Encloses the logarithm; `None` when the number may be 0.
     pub fn logarithm(self) -> Option<Ball> {
         let two = logarithm(Ball::exact(2.0))?;
         Some(logarithm(self.mantissa)? + Ball::exact(self.exponent as f64) * two) // exact: below 2^53, 1000 a flight

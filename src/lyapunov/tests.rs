@@ -13,7 +13,7 @@ fn scene(name: &str) -> Scene {
     Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// The disturbance after N impacts from the start.
+/// The disturbance after `impacts` impacts from the start.
 fn after(scene: &Scene, impacts: u64, digits: u32) -> Disturbance {
     let settings = Settings { impacts: Some(impacts), digits, ..Settings::default() };
     let mut orbit = Orbit::of(scene, settings).unwrap();

@@ -32,7 +32,7 @@ impl<N: FlightNumber> Instant<N> {
         Self { turns: whole as i64, rest: like.like(turns - whole) } // N1: below 2^52
     }
 
-    /// About so much later: an exact time.
+    /// A time later by about `step`: an exact time.
     pub fn later(&self, step: &N) -> Self {
         let rest = self.rest.later(step);
         // Lemma N1: a time of any length is one; what is not taken for whole forcing periods stays with the rest.
@@ -51,7 +51,7 @@ impl<N: FlightNumber> Instant<N> {
         ((self.turns - earlier.turns) as f64 + rest).next_up() // N1: exact before the horizon, 2^52
     }
 
-    /// Returns the time as one number.
+    /// The time as one number.
     pub fn time(&self) -> N {
         match self.turns {
             0 => self.rest.clone(),
@@ -69,7 +69,7 @@ pub(crate) struct SumFlight<'h, N: FlightNumber> {
     waves: Vec<(N, N)>,
     /// `c`
     pub drift: N,
-    /// `z0 + sum alpha_k sin th_k0`: what `z + sum alpha_k sin th_k - c h` is at all times.
+    /// `z0 + sum alpha_k sin th_k0`: the value of `z + sum alpha_k sin th_k - c h` at all times.
     pub offset: N,
     /// `z''` and `z'''` at the start, over the hull of the set: at a release `z''` of each flight is 0.
     pub acceleration: N,
@@ -85,11 +85,11 @@ pub(crate) struct Kinematics<N> {
     pub acceleration: N,
 }
 
-/// Departures take at most N forcing periods.
+/// Longest departure, in forcing periods.
 const SHORT_FLIGHT: f64 = 0.124;
 
 impl<'h, N: FlightNumber> SumFlight<'h, N> {
-    /// The flight that starts so; `waves` are the sines and cosines of the harmonics where they are known better.
+    /// Flight from a start; `waves` are the sines and cosines of the harmonics where they are known better than from the phase.
     pub fn new(harmonics: &'h Harmonics<N>, launch: Launch<N>, waves: Option<&Vec<(N, N)>>) -> Self {
         let zero = N::from_f64(0.0);
         let waves = waves
@@ -131,7 +131,7 @@ impl<'h, N: FlightNumber> SumFlight<'h, N> {
         Kinematics { right: N::from_f64(1.0) - left.clone(), left, velocity: self.drift.clone() - cosine, acceleration }
     }
 
-    /// Returns the state `time` forcing periods after the departure from a wall, without cancellation.
+    /// State `time` forcing periods after the departure from a wall, without cancellation.
     fn departure(&self, wall: Wall, time: &N) -> Option<Kinematics<N>> {
         let added = self.harmonics.departure(&self.waves, time)?;
         let moved = self.launch.velocity.clone().mul_add(time.clone(), added.height);

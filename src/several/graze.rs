@@ -46,7 +46,7 @@ pub(crate) fn pass(
     None
 }
 
-/// A touch that may be: how long it may last, and what its impact may change.
+/// A possible touch: bounds of its duration, and of the change of velocity by its impact.
 struct Touch {
     window: Magnitude,
     /// of the velocity
@@ -56,7 +56,7 @@ struct Touch {
 }
 
 impl Touch {
-    /// A flight that is convex for `before` forcing periods up to its bottom, which is so far from the wall.
+    /// Touch of a flight that is convex for `before` forcing periods up to its bottom, which is `room` from the wall.
     fn new(room: MpBall, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
         let bend = side.least_bend(rates, before);
         if !is_positive(bend) {

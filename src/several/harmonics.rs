@@ -15,7 +15,7 @@ pub(crate) struct Harmonics<N: PhaseNumber> {
     pub rates: Rates,
 }
 
-/// One of them.
+/// One harmonic.
 #[derive(Clone, Debug)]
 pub(crate) struct Partial<N: PhaseNumber> {
     /// `A_k / d`
@@ -30,7 +30,7 @@ pub(crate) struct Partial<N: PhaseNumber> {
     pub counter: N::Counter,
 }
 
-/// Upper bounds, at all times, of what the harmonics do, in gaps and forcing periods.
+/// Upper bounds, at all times, of the motion under the harmonics, in gap widths and forcing periods.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rates {
     /// of `|E|/d`, `|z''|`, `|z'''|` and `|z''''|`.
@@ -40,7 +40,7 @@ pub(crate) struct Rates {
     pub fourth: f64,
 }
 
-/// Sums over the harmonics at one time: what is left of `E`, `E'` and `E''` without units.
+/// Sums over the harmonics at one time: `E`, `E'` and `E''` without units, up to sign.
 ///
 /// `z = const + c h - sine`, `z' = c - cosine`, `z'' = acceleration`. **Equations** (10)-(12) under (1)
 #[derive(Clone, Debug)]
@@ -118,8 +118,8 @@ impl<N: PhaseNumber> Harmonics<N> {
         Sums::of(self.terms.iter().zip(waves.iter().cloned()))
     }
 
-    /// Returns the increments of the harmonics over a short `time` from a phase at which their sines and cosines are `waves`, without cancellation;
-    /// `None` where [`Wave::short`] knows no departure.
+    /// Increments of the harmonics over a short `time` from a phase with sines and cosines `waves`, without cancellation; `None` where
+    /// [`Wave::short`] knows no departure.
     pub fn departure(&self, waves: &[(N, N)], time: &N) -> Option<Added<N>> {
         let zero = N::from_f64(0.0);
         let mut added = Added { height: zero.clone(), velocity: zero.clone(), acceleration: zero };
@@ -148,7 +148,7 @@ impl Harmonics<Ball> {
     /// Encloses the harmonics of `pair` in doubles.
     ///
     /// # Errors
-    /// Returns an error if they are too large for the arithmetic of a flight.
+    /// If the harmonics are too large for the arithmetic of a flight.
     pub fn in_doubles(spectrum: &Spectrum, pair: &ImpactPair) -> Result<Self, Error> {
         let harmonics = Self::new(spectrum, f64::MANTISSA_DIGITS);
         if is_positive(LARGEST_RATE - harmonics.rates.fourth) {

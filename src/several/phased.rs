@@ -11,7 +11,7 @@ pub(crate) trait PhaseNumber: Wave + std::fmt::Debug + Send {
     type Counter: Clone + std::fmt::Debug + Send + Sync;
     /// `ratio n + shift`, less whole forcing periods.
     fn phase_at(counter: &Self::Counter, turns: i64) -> Self;
-    /// A number near it, to nearest.
+    /// A double near the number, to nearest.
     fn middle(&self) -> f64;
 }
 
@@ -23,12 +23,12 @@ pub(crate) trait FlightNumber: PhaseNumber {
     fn enclose(x: &Exact, bits: u32) -> Self;
     /// A lower and an upper bound.
     fn bounds(&self) -> (f64, f64);
-    /// Returns its bounds as an interval.
+    /// Bounds of the number as an interval.
     fn interval(&self) -> Interval {
         let (inf, sup) = self.bounds();
         Interval::new(inf, sup)
     }
-    /// Returns whether it is exactly 0.
+    /// Whether the number is exactly 0.
     fn is_zero(&self) -> bool {
         self.bounds() == (0.0, 0.0)
     }

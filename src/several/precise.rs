@@ -7,7 +7,7 @@ use super::phased::{FlightNumber, PhaseNumber, middle};
 use crate::exact::Exact;
 use crate::number::{MpBall, Number};
 
-/// Bits that forcing periods can take: phases are given with N more.
+/// Bits that a count of forcing periods can take: phases are computed with as many bits more.
 const PERIOD_COUNT_BITS: u32 = 64;
 
 impl PhaseNumber for MpBall {
@@ -64,7 +64,7 @@ fn enclosing(x: &Exact, bits: u32) -> MpBall {
 }
 
 impl Harmonics<MpBall> {
-    /// Returns the harmonics with centres rounded to `bits` bits.
+    /// Harmonics with centres rounded to `bits` bits.
     pub fn rounded(&self, bits: u32) -> Self {
         let term = |term: &Partial<MpBall>| {
             let (ratio, shift) = &term.counter;

@@ -73,7 +73,7 @@ fn greatest(harmonics: &Harmonics<Ball>, period: u64, sign: f64) -> f64 {
     bound
 }
 
-/// The window of time in which a flight can no longer come back to the wall it drifts away from, and cannot yet reach the other.
+/// Window of time in which a flight can no longer come back to the wall it drifts away from, and cannot yet reach the other wall.
 #[derive(Debug)]
 pub(crate) struct Reach<'b> {
     band: &'b Band,
@@ -90,7 +90,7 @@ impl<'b> Reach<'b> {
         Self { band, harmonics, window: None, requested: 0 }
     }
 
-    /// Returns the end of the window in which no wall can be reached, in forcing periods after the start, if the time `now` lies in it.
+    /// End of the window in which no wall can be reached, in forcing periods after the start, if the time `now` lies in the window.
     pub fn jump<N: FlightNumber>(&mut self, flight: &SumFlight<'_, N>, now: f64) -> Option<f64> {
         self.requested += 1;
         if self.requested == 1 || self.requested == MAX_COARSE_PIECES {

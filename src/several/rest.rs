@@ -21,8 +21,8 @@ use crate::pair::Wall;
 use crate::rest::duration;
 use crate::turns;
 
-/// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce at `phase` after `turns` whole ones with
-/// `velocity`, that after the impact, both of a whole set; as [`crate::rest::accumulation`] for one harmonic.
+/// Upper bound of the duration, in forcing periods, of chatter after a bounce of a whole set, as [`crate::rest::accumulation`] for one harmonic.
+/// `phase` follows `turns` whole forcing periods; `velocity` is that after the impact.
 pub(crate) fn accumulation(
     harmonics: &Harmonics<Ball>,
     restitution: Ball,
@@ -60,15 +60,15 @@ pub(crate) struct Zero {
     spectrum: Arc<Spectrum>,
     pub wall: Wall,
     pub turns: i64,
-    /// Exactly one zero lies within `reach` of this phase, less whole forcing periods; the contact force falls there at the rate `least` at least.
+    /// The one zero within `reach` of this phase, less whole forcing periods; the contact force falls there at the rate `least` or faster.
     near: f64,
     reach: f64,
     least: f64,
-    /// Encloses the change of that slope per forcing period.
+    /// Encloses the change of the slope of the contact force per forcing period.
     bend: Interval,
 }
 
-/// Steps of the search at most.
+/// Greatest number of steps of the search.
 const STEPS: u32 = 1 << 16;
 /// The reason why no change of sign is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,11 +87,10 @@ pub(super) struct Stopped {
     phase: f64,
 }
 
-/// Touches of the contact force that are passed at most.
+/// Greatest number of touches of the contact force that are passed.
 const MOST_TOUCHES: u32 = 1 << 10;
 
-/// Returns the first change of the contact force's sign after a phase at which it acts, or from which on it does; `None`
-/// where none is proved. Lemmas H8, H15
+/// First change of the contact force's sign after a phase at which it acts, or begins to act; `None` where none is proved. Lemmas H8, H15
 pub(crate) fn release(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<Ball>,
@@ -114,7 +113,7 @@ pub(crate) fn release(
     None
 }
 
-/// The same in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
+/// The search in one arithmetic: steps on which `p + p' s - S s^2/2` stays positive, `S` a bound of `|p''|`.
 pub(super) fn first_zero<N: FlightNumber>(
     spectrum: &Arc<Spectrum>,
     harmonics: &Harmonics<N>,
@@ -169,7 +168,7 @@ pub(super) fn first_zero<N: FlightNumber>(
     Err(stop(Unproved::Steps, &at))
 }
 
-/// Returns a zero near a time: the time, its distance from the zero at most, and the least slope there; slopes change by `bend` per forcing period.
+/// Bracket of a zero near a time: the time, its greatest distance from the zero, and the least slope; slopes change by `bend` per forcing period.
 fn bracket<N: FlightNumber>(
     bend: Interval,
     value_at: &impl Fn(&Instant<N>) -> N,
@@ -199,12 +198,12 @@ impl Zero {
         Ball::new(self.near, self.reach)
     }
 
-    /// Encloses it as narrowly as `bits` bits allow in this build.
+    /// Encloses the phase of the release as narrowly as `bits` bits allow in this build.
     pub fn enclosure(&self, bits: u32) -> Option<Enclosure> {
         precise::enclosure(self, bits)
     }
 
-    /// The whole forcing periods of `later`, counted as those of `self` are, if both are proved to be whole common periods apart (Lemma H9).
+    /// Whole forcing periods of `later`, counted as those of `self`, if both are proved to be whole common periods apart (Lemma H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         let period = i64::try_from(self.spectrum.period?).ok()?;
         let apart = Interval::point(later.near) - Interval::point(self.near);

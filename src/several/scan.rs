@@ -18,18 +18,18 @@ use crate::turns::LONGEST_FLIGHT;
 #[derive(Debug)]
 pub(crate) struct Found<N> {
     pub wall: Wall,
-    /// Each flight touches it within `reach` of this time after its start.
+    /// Time after the start within `reach` of which each flight touches the wall.
     pub at: Instant<N>,
     pub reach: f64,
-    /// `|z'|` is at least this there, for each of them.
+    /// Lower bound of `|z'|` at the contact, for each flight.
     #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     pub least: f64,
-    /// Over the set and that time.
+    /// Velocity and acceleration over the set and the times of contact.
     pub velocity: Ball,
     pub acceleration: Ball,
-    /// The flight of the centre touches it within this of `at`.
+    /// Bound of the distance of the centre's contact from `at`.
     pub centre_reach: f64,
-    /// Its velocity at `at`.
+    /// Velocity of the centre's flight at `at`.
     pub centre_velocity: N,
 }
 
@@ -43,27 +43,27 @@ pub(crate) enum Doubt<N> {
     SmallAngle,
     /// The ball does not leave its wall.
     Rest,
-    /// Longer than is followed.
+    /// The flight is longer than is followed.
     Budget,
 }
 
 /// The result for an extremum near a wall.
 #[derive(Debug)]
 enum Valley<N> {
-    /// The wall is not touched up to there.
+    /// The wall is not touched up to this time.
     Past(Instant<N>),
-    /// It is touched before.
+    /// The wall is touched before.
     Contact(Box<Found<N>>),
-    /// It may be touched with no velocity.
+    /// The wall may be touched with no velocity.
     Graze { wall: Wall, bottom: Instant<N> },
-    /// Nothing is proved of it.
+    /// Nothing is proved of the extremum.
     Unclear,
 }
 
 /// Pieces in a row that are shorter than [`SHORT_PIECE`] times the flight so far.
 const SHORT_PIECES: u32 = 256;
 const SHORT_PIECE: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
-/// Steps of Newton's method at most.
+/// Greatest number of steps of Newton's method.
 const STEPS: u32 = 64;
 const WALLS: [Wall; 2] = [Wall::Left, Wall::Right];
 
@@ -72,7 +72,7 @@ pub(crate) struct Scan<'f, 'h, N: FlightNumber> {
     all: &'f SumFlight<'h, N>,
     centre: &'f SumFlight<'h, N>,
     rates: Rates,
-    /// The rates hold for N forcing periods after the start.
+    /// Time after the start, in forcing periods, up to which the rates hold.
     horizon: f64,
 }
 
@@ -88,8 +88,8 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         soon.map_or_else(|| self.search(reach), Ok)
     }
 
-    /// The same search for short flights only, where the acceleration hardly changes: on `[0, t]` the third derivative
-    /// is at most `|j| + S_4 t`, `j` that at the start, which may be far less than at other times.
+    /// The search for short flights only, where the acceleration hardly changes: on `[0, t]` the third derivative is at most `|j| + S_4 t`. `j`
+    /// is the third derivative at the start, and may be far less than at other times.
     fn soon(&self) -> Option<Self> {
         let start = &self.all.launch;
         let sign = start.wall?.sign();
@@ -167,7 +167,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         if end <= self.horizon { Ok(found) } else { Err(Doubt::Budget) }
     }
 
-    /// Returns a time after the start during which the ball is proved to be off its wall (Lemma H3).
+    /// Time after the start during which the ball is proved to be off its wall (Lemma H3).
     fn departure(&self) -> Result<f64, Doubt<N>> {
         let start = &self.all.launch;
         let sign = start.wall.map_or(1.0, Wall::sign);
@@ -205,12 +205,12 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         Err(Doubt::SmallAngle)
     }
 
-    /// Longer than any piece can be proved free: the third derivative alone may cross the gap.
+    /// Greatest length of a piece that can be proved free: beyond it the third derivative alone may cross the gap.
     fn longest(&self) -> f64 {
         (12.0 / self.rates.third).cbrt().min(self.horizon) // H2: any time up to the horizon
     }
 
-    /// Returns a time after `at` during which both walls are proved not to be touched (Lemma H2).
+    /// Time after `at` during which both walls are proved not to be touched (Lemma H2).
     fn step(&self, at: &Instant<N>, sides: &[Side; 2]) -> f64 {
         let most = self.longest();
         let mut step = sides[0].reach(&self.rates, most);
@@ -239,7 +239,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         (at.since(&found.at) < found.reach && side.approaches(&self.rates, time)).then_some(found)
     }
 
-    /// Returns the result for an extremum near a wall (Lemma H4).
+    /// Result for an extremum near a wall (Lemma H4).
     fn valley(&self, wall: Wall, side: &Side, at: &Instant<N>) -> Valley<N> {
         let like = &self.all.launch.phase;
         let Some(ahead) = side.turning() else { return Valley::Unclear };
@@ -271,7 +271,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         }
     }
 
-    /// Returns whether a contact comes after `at`, with a motion that is convex from there on and falls at its end.
+    /// Whether a contact comes after `at`, with a motion that is convex from there on and falls at its end.
     fn is_on_the_way_down(&self, wall: Wall, found: &Found<N>, at: &Instant<N>) -> bool {
         let arrival = self.all.state(&found.at).side(wall);
         let span = up(found.at.since(at) + found.reach);
@@ -287,7 +287,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         })
     }
 
-    /// Newton's method on the flight of the centre: `step` gives what to go back, and whether it is noise.
+    /// Newton's method on the flight of the centre: `step` gives the step back, and whether it is noise.
     fn newton(&self, near: Instant<N>, step: impl Fn(&Kinematics<N>) -> Option<(N, bool)>) -> Instant<N> {
         let (mut at, mut before) = (near, f64::INFINITY);
         for _ in 0..STEPS {
@@ -332,7 +332,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         })
     }
 
-    /// Within which time of a state each flight touches the wall, and its least speed there.
+    /// Time around a state within which each flight touches the wall, and the least speed there.
     fn bracket(&self, side: &Side) -> Option<(f64, f64)> {
         let error = side.room.0.abs().max(side.room.1.abs()); // B2: the farther end
         let speed = -side.rate.1;
@@ -345,7 +345,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
     }
 }
 
-/// Returns whether a number is as near to 0 as its arithmetic can distinguish.
+/// Whether a number is as near to 0 as its arithmetic can distinguish.
 fn is_noise<N: FlightNumber>(x: &N) -> bool {
     let (low, high) = x.bounds();
     low <= 0.0 && high >= 0.0
@@ -356,7 +356,7 @@ fn low<N: FlightNumber>(x: &N) -> f64 {
 }
 
 impl<N: FlightNumber> Doubt<N> {
-    /// Returns the doubt as the orbit reports it.
+    /// The doubt as the orbit reports it.
     pub fn undecided(&self, start: Option<Wall>) -> Undecided {
         match self {
             Self::Graze { wall, .. } => Undecided::graze(Some(*wall)),
@@ -367,7 +367,7 @@ impl<N: FlightNumber> Doubt<N> {
     }
 }
 
-/// A ball in doubles that holds all of it.
+/// Ball of doubles that holds all members.
 fn ball<N: FlightNumber>(x: &N) -> Ball {
     let (low, high) = x.bounds();
     let middle = 0.5 * (low + high);

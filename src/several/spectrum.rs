@@ -14,7 +14,7 @@ use crate::units::{Phases, in_gaps, turn};
 
 /// The harmonics of a pair, time in periods of the fastest and length in gaps.
 ///
-/// At the phase `u` of the fastest (`W t + tau = 2 pi u`) that of harmonic `k` is `ratio u + shift`, in periods of its own.
+/// At the phase `u` of the fastest (`W t + tau = 2 pi u`) the phase of harmonic `k` is `ratio u + shift`, in periods of harmonic `k`.
 #[derive(Clone, Debug)]
 pub(crate) struct Spectrum {
     pub terms: Vec<Term>,
@@ -23,7 +23,7 @@ pub(crate) struct Spectrum {
     pub period: Option<u64>,
 }
 
-/// One of them.
+/// One harmonic.
 #[derive(Clone, Debug)]
 pub(crate) struct Term {
     /// `A_k / d`
@@ -38,7 +38,7 @@ impl Spectrum {
     /// The harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond what exact expressions hold.
+    /// If a value is beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let excitation = pair.excitation();
         if excitation.only().is_some() {
@@ -71,8 +71,8 @@ impl Spectrum {
         Ok(Some(Self { terms, restitution: pair.restitution().clone(), period }))
     }
 
-    /// Returns whether each harmonic is its own opposite half a common period later; `None` if they have no such period, or if an amplitude
-    /// may be 0, or harmonics of one frequency may cancel, and the others alone may be so. Lemma T6
+    /// Whether each harmonic is its own opposite half a common period later. `None` without a common period. Also `None` if an amplitude may be
+    /// 0, or harmonics of one frequency may cancel, and only the other harmonics may be odd. Lemma T6
     pub fn is_odd(&self) -> Option<bool> {
         let period = BigInt::from(self.period?);
         let is_odd = |term: &Term| {
@@ -87,10 +87,10 @@ impl Spectrum {
         is_known.then(|| self.terms.iter().all(is_odd))
     }
 
-    /// Returns the bounds of the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
+    /// Bounds of the motion without units: the sums of `A_k/d` and of `2 pi A_k W_k / (d W)`.
     ///
     /// # Errors
-    /// Returns an error if a sum is beyond what exact expressions hold.
+    /// If a sum is beyond the range of exact expressions.
     pub fn sums(&self) -> Result<Reduced<Exact>, ExactError> {
         let zero = Exact::from(0);
         let sum = |of: &dyn Fn(&Term) -> Result<Exact, ExactError>| {
@@ -107,7 +107,7 @@ impl Spectrum {
 /// The phases of all harmonics of `pair` at a time, in periods, less whole ones: exact where expressions show it.
 ///
 /// # Errors
-/// Returns an error if a phase is beyond what exact expressions hold.
+/// If a phase is beyond the range of exact expressions.
 pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, Error> {
     let phase = |harmonic: &Harmonic| {
         let phase = Phases::of(harmonic)?.at(time);
@@ -116,13 +116,13 @@ pub(crate) fn phases_at(pair: &ImpactPair, time: &Exact) -> Result<Vec<Exact>, E
     pair.excitation().harmonics().iter().map(phase).collect()
 }
 
-/// Bits of the whole forcing periods of a phase: N more enclose it as finely as one of less than a forcing period.
+/// Bits of the whole forcing periods of a phase: with as many bits more its fraction is enclosed as finely as a phase below 1.
 fn whole_bits(phase: &Exact) -> u32 {
     let top = phase.enclose(64).mag().top();
     top.and_then(|top| u32::try_from(top).ok()).unwrap_or(0) // X1: any number of bits encloses
 }
 
-/// Returns the phase less whole forcing periods: within 2 of 0 (Lemma H1).
+/// The phase less whole forcing periods: within 2 of 0 (Lemma H1).
 fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
     let near = match phase.as_rational() {
         Some(fraction) => fraction.round().to_integer(), // exact: any whole number is taken off

@@ -31,7 +31,7 @@ fn sums() -> impl Strategy<Value = Spectrum> {
         .prop_map(|(w, [a, b], tau, other)| spectrum(&[[a, "pi", tau], [b, w, other]]))
 }
 
-/// `z''` after N periods of the fastest, by exact numbers.
+/// `z''` after `turns` periods of the fastest, by exact numbers.
 fn acceleration(spectrum: &Spectrum, turns: i64, rest: f64) -> Real {
     let bits = 200;
     let time = Exact::from_f64(rest).unwrap().checked_add(&Exact::from(turns)).unwrap();

@@ -16,7 +16,7 @@ const PARTS: f64 = 24.0;
 /// Far more than the rounding of a phase within 2 of 0.
 const ROUNDING: f64 = 1.0 / (1_u64 << 48) as f64; // exact: a power of two
 
-/// Returns a phase up to which the contact force is not negative from `phase` on, less the same `turns`, where it touches 0 near by. Lemma H15
+/// Phase up to which the contact force is not negative from `phase` on, less the same `turns`, where the force touches 0 near by. Lemma H15
 pub(super) fn past_touch(spectrum: &Spectrum, wall: Wall, turns: i64, phase: f64) -> Option<f64> {
     let parts = (PARTS * phase).round(); // proposes: the touch is proved
     let near = Exact::from_rational(BigRational::new(BigInt::from(parts as i64), BigInt::from(PARTS as i64))); // exact: whole numbers
@@ -30,13 +30,13 @@ pub(super) fn past_touch(spectrum: &Spectrum, wall: Wall, turns: i64, phase: f64
     (is_near && is_positive(end - phase)).then_some(end)
 }
 
-/// Returns whether the contact force is exactly 0 where the harmonics have these phases, and positive before and after. Lemma H15
+/// Whether the contact force is exactly 0 where the harmonics have these phases, and positive before and after. Lemma H15
 pub(crate) fn is_touch(spectrum: &Spectrum, wall: Wall, phases: &[Exact]) -> bool {
     touch(spectrum, wall, phases).is_ok_and(|reach| reach.is_some())
 }
 
-/// Returns the forcing periods before and after a touch of the contact force for which it is positive; `None` where these phases are
-/// not proved to be a touch. Lemma H15
+/// Forcing periods before and after a touch of the contact force for which the force is positive; `None` where these phases are not proved to be
+/// a touch. Lemma H15
 fn touch(spectrum: &Spectrum, wall: Wall, phases: &[Exact]) -> Result<Option<f64>, ExactError> {
     let zero = Exact::from(0);
     // The force and its first and second derivatives, each up to a positive factor, and a bound of the third.

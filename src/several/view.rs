@@ -67,7 +67,7 @@ impl Cubic {
         self.value(s) - 16.0 * UNIT * size
     }
 
-    /// Returns the argument of its minimum, about.
+    /// Argument of the minimum, about; `None` without a minimum.
     #[inline]
     fn valley(&self) -> Option<f64> {
         if !(self.rate < 0.0 && self.bend > 0.0) {
@@ -77,7 +77,7 @@ impl Cubic {
         (discriminant >= 0.0).then(|| -2.0 * self.rate / (self.bend + discriminant.sqrt()))
     }
 
-    /// Returns whether it is positive on all of `[0, s]` (Lemma H2).
+    /// Whether the cubic is positive on all of `[0, s]` (Lemma H2).
     fn is_positive(&self, s: f64) -> bool {
         if !(self.room > 0.0 && self.least(s) > 0.0) {
             return false;
@@ -98,7 +98,7 @@ impl Cubic {
         self.least(valley) - up(slope * inflection) > 0.0
     }
 
-    /// Returns whether it falls at `s`, and so at all times before if it is convex there.
+    /// Whether the cubic falls at `s`, and so at all times before if it is convex there.
     fn falls_to(&self, s: f64) -> bool {
         self.slope(s) + self.slack(s) < 0.0
     }
@@ -108,7 +108,7 @@ impl Cubic {
         16.0 * UNIT * (self.rate.abs() + s * (self.bend.abs() + s * self.third))
     }
 
-    /// Returns the time up to which it stays positive, about, and at most `most`.
+    /// Time up to which the cubic stays positive, about, and at most `most`.
     fn reach(&self, most: f64) -> f64 {
         if let Some(valley) = self.valley()
             && valley < most
@@ -139,19 +139,19 @@ impl Side {
         Cubic { room: self.room.0, rate: self.rate.0, bend: self.bend.0, third: rates.third }
     }
 
-    /// Returns whether the wall is not touched for `time` forcing periods (Lemma H2).
+    /// Whether the wall is not touched for `time` forcing periods (Lemma H2).
     #[inline]
     pub fn is_free(&self, rates: &Rates, time: f64) -> bool {
         self.cubic(rates).is_positive(time)
     }
 
-    /// Returns a time up to which that may be provable, at most `most`.
+    /// Time up to which [`is_free`](Self::is_free) may be provable, at most `most`.
     #[inline]
     pub fn reach(&self, rates: &Rates, most: f64) -> f64 {
         self.cubic(rates).reach(most)
     }
 
-    /// Returns whether the ball goes toward the wall for `time` forcing periods: `z'`, measured inward, is at most `v + a s + S s^2/2`.
+    /// Whether the ball goes toward the wall for `time` forcing periods: `z'`, measured inward, is at most `v + a s + S s^2/2`.
     #[inline]
     pub fn approaches(&self, rates: &Rates, time: f64) -> bool {
         // Convex in `s`: greatest at an end.

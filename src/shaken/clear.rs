@@ -10,10 +10,10 @@ use crate::pair::{Inward, Wall};
 use crate::several::FlightNumber;
 use crate::turns::{self, LONGEST_FLIGHT};
 
-/// The longest and the shortest steps, in forcing periods.
+/// Longest and shortest step, in forcing periods.
 const MAX_STEP: f64 = 0.0625;
 const MIN_STEP: f64 = 1.0 / (1_u64 << 50) as f64; // exact: a power of two
-/// Steps that are taken at most.
+/// Greatest number of steps.
 const STEPS: u32 = 1 << 14;
 /// A step is halved until the height varies by less than this part of the distance from the walls: so that jumps are long.
 const VARIATION_PART: f64 = 0.25;
@@ -39,7 +39,7 @@ impl Since {
     }
 }
 
-/// Returns a time, since the start, before which no flight of the set touches a wall after its start. Lemma C7
+/// Time, since the start, before which no flight of the set touches a wall after its start. Lemma C7
 pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Since {
     let flights = Flights::new(shaken, launch);
     let (mut at, mut step, mut seen) = (flights.departed(), MAX_STEP, LeastDistances::default());
@@ -61,7 +61,7 @@ pub(crate) fn clear<S: Shaken + ?Sized>(shaken: &S, launch: &Launch<Ball>) -> Si
     at
 }
 
-/// The least distances from the left and the right wall over the last times, and how long these are.
+/// Least distances from the left and the right wall over the last times, and the length of these times.
 #[derive(Clone, Copy, Debug)]
 struct LeastDistances {
     distances: [f64; 2],
@@ -128,7 +128,7 @@ impl<'s, S: Shaken + ?Sized> Flights<'s, S> {
         is_fine.then(|| heights.map(|distance| (distance - spread).next_down())) // C7: rounded down
     }
 
-    /// Whole forcing periods for which the flights repeat what was seen, moved by the drift, without coming to a wall. Lemma C7 (c), (d)
+    /// Whole forcing periods for which the flights repeat the distances seen, moved by the drift, without touching a wall. Lemma C7 (c), (d)
     fn repeated(&self, seen: &mut LeastDistances, at: Since) -> f64 {
         let (distances, period) = match self.shaken.period() {
             Some(period) if seen.length >= f64::from(period) => (seen.distances, f64::from(period)),

@@ -13,10 +13,10 @@ const BITS: u32 = 64;
 /// Times that are tried, each half as long as the one before.
 const TRIES: u32 = 6;
 
-/// Returns a later state of the motion, at which its direction is certain, if it is not at its start inside the gap.
+/// A later state of the motion, with a certain direction, if the direction is uncertain at the start inside the gap.
 ///
-/// First contacts are searched for along pieces that rise or fall. A velocity that is an interval around 0, or 0 in disguise,
-/// says neither; soon after the ball moves as it is shaken.
+/// First contacts are searched for along pieces that rise or fall. The sign of a velocity that is an interval around 0, or 0 in disguise, is
+/// unknown; soon after, the excitation decides how the ball moves.
 pub(super) fn decided(pair: &ImpactPair, start: &Start) -> Option<Start> {
     let Place::Inside(position) = start.place() else { return None };
     if start.velocity().sign().is_some() {
@@ -29,7 +29,7 @@ pub(super) fn decided(pair: &ImpactPair, start: &Start) -> Option<Start> {
         .find(|start| matches!(start.velocity().sign(), Some(Ordering::Less | Ordering::Greater)))
 }
 
-/// Returns a time for which no wall is touched, proved: a power of two, or 0.
+/// Time for which no wall is touched, proved: a power of two, or 0.
 fn longest(pair: &ImpactPair, position: &Exact, velocity: &Exact) -> Result<f64, ExactError> {
     let half = pair.gap().checked_div(&Exact::from(2))?;
     let rooms = [half.checked_sub(position)?, half.checked_add(position)?];

@@ -1,8 +1,8 @@
 //! The excitation, as motions see it: one harmonic, equation (9), or several, equation (1).
 //!
-//! First contacts are proved by two theorems in two places: by the closed form of [`crate::contact`] and by the scan of
-//! [`crate::several`]. Here both answer the same questions, so that what flies from impact to impact is written once.
-//! Times are in periods of the fastest harmonic, expressed as whole forcing periods and the rest, lengths in gaps.
+//! First contacts are proved by two theorems in two places: by the closed form of [`crate::contact`] and by the scan of [`crate::several`]. Here
+//! both have one interface, so that the flight from impact to impact is written once. Times are in periods of the fastest harmonic, expressed as
+//! whole forcing periods and the rest, lengths in gaps.
 
 mod clear;
 mod later;
@@ -40,33 +40,33 @@ pub(crate) use sum::Sum;
 
 /// The box, and a ball that lies on its walls.
 pub(crate) trait Shaken: Debug + Send + Sync {
-    /// Returns the pair without units; with several harmonics `alpha` and `beta` are the sums of theirs.
+    /// The pair without units; with several harmonics `alpha` and `beta` are the sums of theirs.
     fn pair(&self) -> &Reduced<Ball>;
 
-    /// Forcing periods after which all phases are the same, where that is proved to happen.
+    /// Forcing periods after which all phases repeat, where that is proved.
     fn period(&self) -> Option<u32>;
 
     /// `E/d`, `E'` in gap widths per forcing period and `y''` in gap widths per forcing period squared. **Equations** (1), (9), (10)
     fn displacement(&self, turns: i64, phase: Ball) -> [Ball; 3];
 
-    /// An upper bound of `|y''|` at all times, in gap widths per forcing period squared.
+    /// Upper bound of `|y''|` at all times, in gap widths per forcing period squared.
     fn steepest(&self) -> f64;
 
     /// `y''` in plain doubles.
     fn acceleration(&self, turns: i64, phase: f64) -> f64;
 
-    /// Returns the duration, in forcing periods, up to which chatter may be reported, if widths of `least` forcing periods are; `None`: any chatter
-    /// that ends before the contact force does, half a forcing period after it began at the latest. It proposes.
+    /// Greatest duration, in forcing periods, of chatter that may be reported, if widths of `least` forcing periods are. `None`: any chatter that
+    /// ends before the contact force does, at most half a forcing period after the force began. It proposes.
     fn max_reported_chatter(&self, least: f64) -> Option<f64>;
 
-    /// Returns an upper bound of the duration, in forcing periods, of chatter that begins with a bounce with velocity `after`, that after the
-    /// impact; 0 for a ball that does not leave, `None` if it is not proved. `phases` are those of an origin that it starts from. Lemmas Z1, H7
+    /// Upper bound of the duration, in forcing periods, of chatter after a bounce; `after` is the velocity after the impact. 0 for a ball that
+    /// does not leave; `None` if not proved. `phases` are those of an origin that the chatter starts from. Lemmas Z1, H7
     fn accumulation(&self, wall: Wall, turns: i64, phase: &Enclosure, after: Ball, phases: &[Exact]) -> Option<f64>;
 
-    /// Returns the release of a ball that rests on a wall since a phase, shown in N bits. Lemmas Z2, H8
+    /// Release of a ball that rests on a wall since a phase, shown in `bits` bits. Lemmas Z2, H8
     fn release(&self, wall: Wall, turns: i64, phase: &Enclosure, bits: u32) -> Option<Released>;
 
-    /// Returns whether the contact force on a wall may be 0 at a phase.
+    /// Whether the contact force on a wall may be 0 at a phase.
     fn may_be_loose(&self, wall: Wall, turns: i64, phase: &Enclosure) -> bool;
 
     /// The motion from an origin that is proved never to hit a wall again. Lemma Z4
@@ -86,24 +86,24 @@ pub(crate) trait Parameters: Shaken + Sized + 'static {
     /// The parameters in doubles.
     fn balls(&self) -> &Self::In<Ball>;
 
-    /// Returns the sines and cosines at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
+    /// Sines and cosines at the centre of an origin's phases; `exact` are the phases of the harmonics there, where they are known.
     fn waves<N: FlightNumber>(&self, exact: &[Exact], phase: &N, bits: u32) -> Option<Self::Waves<N>>;
 }
 
 /// First contacts.
 pub(crate) trait Flying: Parameters + Precise {
-    /// The first contact of a floating-point flight, proved in no way.
+    /// Approximates the first contact of a floating-point flight, without proof.
     fn propose(&self, launch: &Launch<f64>) -> Result<Contact<f64>, Undecided>;
 
-    /// The first contact of all the flights that start so, and `y''` at their start and there.
+    /// Encloses the first contact of all flights from these starts, and `y''` at their starts and contacts.
     fn first_contact(
         &self,
         all: Launch<Ball>,
         waves: Option<&Self::Waves<Ball>>,
     ) -> Result<(Contact<Ball>, [Ball; 2]), Undecided>;
 
-    /// The first contacts of all the flights that leave a wall so and, more closely, of the one from the centre, and `y''` at
-    /// start and contact of all. A doubt that the centre does not share is the set's width's fault.
+    /// Encloses the first contacts of all flights that leave a wall and, more closely, of the flight from the centre; also `y''` at the starts
+    /// and contacts of all. A doubt that the centre does not share is due to the set's width.
     fn first_contacts(
         &self,
         all: Launch<Ball>,
@@ -132,7 +132,7 @@ pub(crate) enum Either {
     Several(Arc<SeveralHarmonics>),
 }
 
-/// An expression in the excitation, whichever of both it is.
+/// Evaluates an expression in the excitation, for one harmonic or several.
 macro_rules! under {
     ($either:expr, $shaken:ident => $answer:expr) => {
         match $either {
@@ -144,10 +144,10 @@ macro_rules! under {
 pub(crate) use under;
 
 impl Either {
-    /// Returns the excitation of `pair`, phases given by the clock.
+    /// Excitation of `pair`, phases given by the clock.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond what exact expressions or doubles hold.
+    /// If a value is beyond the range of exact expressions or doubles.
     pub fn new(pair: &ImpactPair, clock: &Clock) -> Result<Self, Error> {
         Ok(match SeveralHarmonics::new(pair, clock.origin())? {
             None => Self::One(Arc::new(OneHarmonic::of(pair)?)),
@@ -155,7 +155,7 @@ impl Either {
         })
     }
 
-    /// Returns the state that the motion of `pair` from `start` is followed from.
+    /// State that the motion of `pair` from `start` is followed from.
     pub fn origin(&self, pair: &ImpactPair, start: &Start, clock: &Clock) -> Result<Origin<Exact>, Error> {
         Origin::new(pair, start, clock, |start| match self {
             Self::One(_) => Ok(Vec::new()),

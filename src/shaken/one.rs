@@ -29,10 +29,10 @@ impl OneHarmonic {
         Self { exact, bounds_of_pair: PairBounds::new(pair) }
     }
 
-    /// Returns what shakes a pair of one harmonic.
+    /// Excitation of a pair with one harmonic.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond what exact expressions or doubles hold, or there are several harmonics.
+    /// If a value is beyond the range of exact expressions or doubles, or there are several harmonics.
     pub fn of(pair: &ImpactPair) -> Result<Self, Error> {
         let exact = Reduced::exact(pair)?;
         let reduced = exact.enclosed()?;
@@ -41,8 +41,8 @@ impl OneHarmonic {
 }
 
 impl OneHarmonic {
-    /// The same reason, which no precision removes if the flight is proved to come to the far wall without velocity: it leaves its own wall exactly
-    /// as the contact force ends, and crosses the gap in whole forcing periods. Lemma C5
+    /// The reason `undecided`, lasting in any precision if the flight is proved to come to the far wall without velocity: it leaves its own wall
+    /// exactly as the contact force ends, and crosses the gap in whole forcing periods. Lemma C5
     pub fn settled(&self, from: &Launch<Ball>, undecided: Undecided) -> Undecided {
         let zero = Ball::exact(0.0);
         let leaves_softly = from.wall.is_some()

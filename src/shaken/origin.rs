@@ -22,11 +22,11 @@ pub(crate) struct State<N> {
     /// Whole forcing periods since the clock's origin.
     pub turns: i64,
     pub phase: N,
-    /// Before the impact for a state on a wall.
+    /// Velocity, before the impact for a state on a wall.
     pub velocity: N,
 }
 
-/// A state that a motion is followed from, and what is known of it.
+/// State that a motion is followed from, with the motion before.
 #[derive(Clone, Debug)]
 pub(crate) struct Origin<N> {
     pub state: State<N>,
@@ -38,7 +38,7 @@ pub(crate) struct Origin<N> {
 /// The motion before a state that a motion is followed from.
 #[derive(Clone, Debug)]
 enum Past<N> {
-    /// Nothing: it is the requested start, or stands for itself.
+    /// No motion: the state is the requested start, or stands for itself.
     Nothing,
     /// A flight that touches no wall, from the requested start. Lemma R3
     Flight(State<N>),
@@ -55,7 +55,7 @@ pub(crate) enum Location<N> {
 }
 
 impl<N> Location<N> {
-    /// Returns the wall, on one.
+    /// The wall; `None` inside the gap.
     pub fn wall(&self) -> Option<Wall> {
         match self {
             Self::Wall(wall) => Some(*wall),
@@ -63,7 +63,7 @@ impl<N> Location<N> {
         }
     }
 
-    /// Returns the height, inside the gap.
+    /// The height; `None` on a wall.
     pub fn height(&self) -> Option<N>
     where
         N: Copy,
@@ -83,7 +83,7 @@ impl<N> Location<N> {
 }
 
 impl<N> State<N> {
-    /// Returns the same state in another arithmetic; `f` also gets the key of what it reads.
+    /// The state in another arithmetic; `f` also gets the key of the value that it reads.
     pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<State<M>, E> {
         let (phase, velocity) = (f("start.time", &self.phase)?, f("start.velocity", &self.velocity)?);
         Ok(State { place: self.place.map(f)?, turns: self.turns, phase, velocity })
@@ -91,12 +91,12 @@ impl<N> State<N> {
 }
 
 impl<N> Origin<N> {
-    /// Returns a state that stands for itself.
+    /// A state without a past.
     pub fn of(state: State<N>) -> Self {
         Self { state, phases: Vec::new(), past: Past::Nothing }
     }
 
-    /// Returns the requested start, where this is that start or a later state of its motion; else itself.
+    /// The requested start, where the origin is that start or a later state of its motion; else the origin's state.
     pub fn initial(&self) -> &State<N> {
         match &self.past {
             Past::Flight(start) => start,
@@ -104,7 +104,7 @@ impl<N> Origin<N> {
         }
     }
 
-    /// Returns the release that it is, if it is one.
+    /// The release, if the origin is one.
     pub fn release(&self) -> Option<&Released> {
         match &self.past {
             Past::Rest(release) => Some(release),
@@ -112,7 +112,7 @@ impl<N> Origin<N> {
         }
     }
 
-    /// Returns the same state in another arithmetic; `f` also gets the key of what it reads.
+    /// The origin in another arithmetic; `f` also gets the key of the value that it reads.
     pub fn map<M, E>(&self, f: impl Fn(&'static str, &N) -> Result<M, E>) -> Result<Origin<M>, E> {
         let past = match &self.past {
             Past::Nothing => Past::Nothing,
@@ -124,11 +124,11 @@ impl<N> Origin<N> {
 }
 
 impl Origin<Exact> {
-    /// Returns the state that the motion of `pair` from `start` is followed from: a little later where its direction is not certain (Lemma
-    /// R3); `phases` are those of several harmonics at a time.
+    /// State that the motion of `pair` from `start` is followed from: a little later where the direction of the start is not certain (Lemma R3).
+    /// `phases` gives those of several harmonics at a time.
     ///
     /// # Errors
-    /// If the start is not in the box of `pair`, or a value is beyond what exact expressions hold.
+    /// If the start is not in the box of `pair`, or a value is beyond the range of exact expressions.
     pub fn new(
         pair: &ImpactPair,
         start: &Start,
@@ -141,7 +141,7 @@ impl Origin<Exact> {
         Ok(Self { past: Past::Flight(requested.state), ..Self::at(pair, &later, clock, phases(&later)?)? })
     }
 
-    /// Returns the state itself, given by the clock.
+    /// State of the start, its phase given by the clock.
     pub fn at(pair: &ImpactPair, start: &Start, clock: &Clock, phases: Vec<Exact>) -> Result<Self, Error> {
         let (turns, phase) = clock.split("start.time", start.time())?;
         let velocity = clock.reduced_velocity(start.velocity())?;
@@ -157,7 +157,7 @@ impl Origin<Exact> {
         Ok(Self { phases, ..Self::of(State { place, turns, phase, velocity }) })
     }
 
-    /// Returns a release: no velocity, and the phase as exactly as it can be shown.
+    /// Origin at a release: no velocity, and the phase as exactly as it is shown.
     pub fn released(release: Released) -> Self {
         let Touch { wall, turns, phase } = &release.at;
         let [lo, hi] = [phase.inf(), phase.sup()].map(|end| Exact::from_rational(end.to_rational()));
@@ -172,7 +172,7 @@ impl Origin<Exact> {
 }
 
 impl Origin<Ball> {
-    /// Returns the flight from the middle of the start, in floating point.
+    /// Flight from the middle of the start, in floating point.
     pub fn launch(&self, restitution: f64) -> Launch<f64> {
         let State { ref place, turns, phase, velocity } = self.state;
         let (phase, velocity) = (phase.mid(), velocity.mid());
@@ -184,15 +184,15 @@ impl Origin<Ball> {
         }
     }
 
-    /// Returns the forcing periods since the requested start: exactly 0 where it is that start.
+    /// Forcing periods since the requested start: exactly 0 where the origin is that start.
     pub fn delay(&self) -> Ball {
         let (now, Past::Flight(start)) = (&self.state, &self.past) else { return Ball::exact(0.0) };
         // Lemma N1: the two are less than a forcing period apart (R3).
         Ball::exact((now.turns - start.turns) as f64) + (now.phase - start.phase)
     }
 
-    /// Returns the place after starts that are up to `apart` gap widths per forcing period faster or slower than the one requested; `None` where one of them
-    /// may touch a wall before. Lemma R3
+    /// Place of the ball for starts that are up to `apart` gap widths per forcing period faster or slower than the requested one. `None` where
+    /// one of them may touch a wall before. Lemma R3
     pub fn place_after(&self, apart: f64) -> Option<Location<Ball>> {
         let (Past::Flight(start), Location::Inside(height)) = (&self.past, &self.state.place) else {
             return Some(self.state.place.clone());
@@ -210,12 +210,12 @@ impl Origin<Ball> {
 #[derive(Clone, Debug)]
 pub(crate) struct Released {
     pub at: Touch,
-    /// The zero of the contact force that it is, with several harmonics; one harmonic has it at an exact phase.
+    /// The zero of the contact force at the release, with several harmonics; one harmonic has it at an exact phase.
     pub zero: Option<Zero>,
 }
 
 impl Released {
-    /// Returns the forcing periods of `later`, expressed as those of `self` are, if the motion is the same from both on (Lemmas Z3, H9).
+    /// Forcing periods of `later`, counted as those of `self`, if the motion is the same from both releases on (Lemmas Z3, H9).
     pub fn turns_of_same(&self, later: &Self) -> Option<i64> {
         match (&self.zero, &later.zero) {
             (Some(zero), Some(other)) => zero.turns_of_same(other),

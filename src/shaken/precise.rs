@@ -15,15 +15,15 @@ use crate::pair::Wall;
 /// Bits enough to lose nothing of doubles on the way past a graze.
 pub(crate) const PASSING_BITS: u32 = 128;
 
-/// First contacts in N bits.
+/// First contacts in balls of any precision.
 pub(crate) trait Precise: Parameters {
-    /// The parameters in N bits.
+    /// The parameters in `bits` bits.
     fn precise(&self, bits: u32) -> Self::In<MpBall>;
 
-    /// Returns the parameters of [`Shaken::pair`] in N bits.
+    /// The parameters of [`Shaken::pair`] in `bits` bits.
     fn widened(&self, bits: u32) -> Self::In<MpBall>;
 
-    /// Returns the parameters rounded to fewer bits.
+    /// The parameters rounded to fewer bits.
     fn rounded(&self, parameters: &Self::In<MpBall>, bits: u32) -> Self::In<MpBall>;
 
     /// Goes past the first extremum that may touch its wall. Lemmas G1, H13
@@ -40,8 +40,7 @@ pub(crate) trait Precise: Parameters {
         self.pass(&self.widened(PASSING_BITS), all, None)?.in_doubles()
     }
 
-    /// Returns the first contacts of a set of flights from a wall, its velocities before the impact in doubles; that of the centre to
-    /// N bits. Lemma M3
+    /// First contacts of a set of flights from a wall, its velocities before the impact in doubles; the centre's contact to `bits` bits. Lemma M3
     fn arrive(
         &self,
         parameters: &Self::In<MpBall>,
@@ -49,7 +48,7 @@ pub(crate) trait Precise: Parameters {
         bits: u32,
     ) -> Result<Arrival<Self::Waves<MpBall>>, Undecided>;
 
-    /// The first contacts of all flights from inside the gap, to N bits: in doubles, phase less the whole forcing periods, velocity.
+    /// First contacts of all flights from inside the gap, to `bits` bits: in doubles, phase less the whole forcing periods, velocity.
     fn arrive_from_inside(
         &self,
         parameters: &Self::In<MpBall>,
@@ -63,7 +62,7 @@ pub(crate) trait Precise: Parameters {
 pub(crate) struct Flights<'w, W> {
     pub all: &'w dyn Fn() -> Launch<MpBall>,
     pub centre: Launch<MpBall>,
-    /// The wall they leave, their phases and velocities before the impact, in doubles.
+    /// Wall that the flights leave, with phases and velocities before the impact, in doubles.
     pub wall: Wall,
     pub phase: Ball,
     pub before: Ball,
@@ -75,18 +74,18 @@ pub(crate) struct Flights<'w, W> {
 pub(crate) struct Arrival<W> {
     /// Encloses the contact of every flight of the set.
     pub contact: Contact<Ball>,
-    /// Encloses `y''` of all of them, at the start and at the contact.
+    /// Encloses `y''` of all flights, at the start and at the contact.
     pub accelerations: [Ball; 2],
-    /// The contact of the centre is within `error` of this phase, less the whole forcing periods.
+    /// Phase, less the whole forcing periods, within `error` of which the contact of the centre lies.
     pub phase: Float,
     pub error: Magnitude,
-    /// Its velocity at this phase; at the contact the slope times the distance is added.
+    /// Velocity of the centre at this phase; at the contact the slope times the distance is added.
     pub velocity: MpBall,
     pub slope: Ball,
     /// Sines and cosines at this phase, where they are known.
     pub waves: Option<W>,
 }
 
-/// Encloses the first contacts of all flights of a set: in doubles, and phase less the whole forcing periods and velocity in balls, with
-/// the sines and cosines at the middle of the phases, where they are known.
+/// Encloses the first contacts of all flights of a set: in doubles; phase less the whole forcing periods and velocity in balls; sines and cosines
+/// at the middle of the phases, where they are known.
 pub(crate) type Precisely<W> = (Contact<Ball>, [MpBall; 2], Option<W>);

@@ -29,10 +29,10 @@ pub(crate) struct SeveralHarmonics {
 }
 
 impl SeveralHarmonics {
-    /// Returns the harmonics of `pair`, phases counted from the forcing period `origin`; `None` of a single one.
+    /// The harmonics of `pair`, phases counted from the forcing period `origin`; `None` for a single harmonic.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond what exact expressions or doubles hold.
+    /// If a value is beyond the range of exact expressions or doubles.
     pub fn new(pair: &ImpactPair, origin: &BigInt) -> Result<Option<Self>, Error> {
         let Some(spectrum) = Spectrum::new(pair, origin)? else { return Ok(None) };
         let harmonics = Harmonics::in_doubles(&spectrum, pair)?;
@@ -55,13 +55,13 @@ impl SeveralHarmonics {
         Reach::new(&self.band, &self.balls.harmonics)
     }
 
-    /// Returns the first contact of all the flights that start so. Lemmas H2-H6
+    /// Isolates the first contact of all flights from these starts. Lemmas H2-H6
     pub fn first<N: FlightNumber>(&self, harmonics: &Harmonics<N>, all: Launch<N>) -> Result<Found<N>, Doubt<N>> {
         let centre = SumFlight::new(harmonics, all.map(FlightNumber::centre_of), None);
         Scan::new(&SumFlight::new(harmonics, all, None), &centre).first(&mut self.reach())
     }
 
-    /// The first contacts of all flights; a doubt that the centre does not share is the set's width's fault.
+    /// First contacts of all flights; a doubt that the centre does not share is due to the set's width.
     pub(super) fn scan<N: FlightNumber>(
         &self,
         all: &SumFlight<'_, N>,
@@ -79,7 +79,7 @@ impl SeveralHarmonics {
         })
     }
 
-    /// Returns whether a ball on a wall at an origin, where the contact force is exactly 0, is proved to stick to it from then on.
+    /// Whether a ball on a wall at an origin, where the contact force is exactly 0, is proved to stick to the wall from then on.
     fn is_pressed_from(&self, wall: Wall, phases: &[Exact]) -> bool {
         let zero = Ball::exact(0.0);
         let launch = Launch::from_wall(wall, 0, zero, zero, false);
@@ -90,7 +90,7 @@ impl SeveralHarmonics {
     }
 }
 
-/// Sines and cosines of phases, exact at quarter periods; `None` of none.
+/// Sines and cosines of phases, exact at quarter periods; `None` without phases.
 fn waves<N: FlightNumber>(phases: &[Exact], bits: u32) -> Option<Vec<(N, N)>> {
     let wave = |phase: &Exact| match quarter_turn(phase) {
         Some((sin, cos)) => (N::enclose(&sin, bits), N::enclose(&cos, bits)),

@@ -7,16 +7,16 @@ use crate::number::kernel::SmallAngle;
 use crate::number::{Number, Wave};
 use crate::pair::Reduced;
 
-/// The motion of the box and the restitution, in gaps and forcing periods.
+/// The motion of the box and the restitution, in gap widths and forcing periods.
 pub trait Shaking<N: Number> {
     /// The state of the box at one time.
     type Moment: Clone;
 
     /// `e`
     fn restitution(&self) -> &N;
-    /// The box a phase `rest` after N whole forcing periods.
+    /// State of the box at the phase `rest` after `turns` whole forcing periods.
     fn moment(&self, turns: f64, rest: &N) -> Self::Moment;
-    /// `D + E_1 - E_0`: how far the ball goes in space, if it goes `displacement` in the box. **Equation** (11)
+    /// `D + E_1 - E_0`: the ball's displacement in space, for a displacement `displacement` in the box. **Equation** (11)
     fn travel(&self, from: &Self::Moment, to: &Self::Moment, displacement: f64) -> N;
     /// `y' = c - E'` of a ball with this drift. **Equation** (12)
     fn relative(&self, drift: &N, at: &Self::Moment) -> N;
@@ -31,8 +31,8 @@ pub trait Shaking<N: Number> {
 pub struct Repetition {
     /// The common period of all harmonics, in periods of the fastest: 1 of one harmonic.
     pub turns: u32,
-    /// True if each harmonic is its own opposite half that period later: then the mirrored motion is one as well. `None` if this is so for some
-    /// parameters at most: where an amplitude may be 0, and the others alone may be odd.
+    /// True if each harmonic is its own opposite half that period later: then the mirrored motion is also a motion. `None` if this holds for some
+    /// parameters at most: where an amplitude may be 0, and the other harmonics alone may be odd.
     pub is_odd: Option<bool>,
 }
 
@@ -46,9 +46,9 @@ impl Repetition {
 pub struct Hop<N> {
     /// The absolute velocity.
     pub drift: N,
-    /// `y'` right after its first impact.
+    /// `y'` right after the impact at the start.
     pub after: N,
-    /// `y'` just before its last one.
+    /// `y'` just before the impact at the end.
     pub before: N,
 }
 

@@ -26,10 +26,10 @@ impl Still {
     /// A motion that touches no wall.
     const UNTOUCHED: Self = Self { grazes_left: false, grazes_right: false };
 
-    /// Returns whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
+    /// Whether the motion from an origin is proved to stay between the walls for ever, with one harmonic (Lemma Z4).
     ///
-    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly: that is decided if the box stands still, and
-    /// where the expressions show it, as at quarter periods, where sine and cosine are numbers.
+    /// With a drift a wall is reached in the end, so the drift has to be 0, exactly. This is decided if the box stands still, and where the
+    /// expressions show it, as at quarter periods, where sine and cosine are rational.
     pub fn under_one(pair: &Reduced<Exact>, origin: &Origin<Exact>) -> Result<Option<Self>, ExactError> {
         let is_zero = |x: &Exact| x.sign() == Some(Ordering::Equal);
         let (height, on_wall) = match &origin.state.place {
@@ -51,7 +51,7 @@ impl Still {
         if !is_zero(&drift) {
             return Ok(None);
         }
-        // Lemma Z4: what is not shaken does not leave its wall.
+        // Lemma Z4: without excitation the ball does not leave its wall.
         if on_wall && pair.alpha.sign() != Some(Ordering::Greater) {
             return Ok(None);
         }
@@ -65,7 +65,7 @@ impl Still {
         Ok((inside(room_below) && inside(room_above)).then_some(Self { grazes_left, grazes_right }))
     }
 
-    /// Returns the same with several harmonics, of which `band` bounds the sum at all times (Lemma H16).
+    /// As [`under_one`](Self::under_one) with several harmonics; `band` bounds their sum at all times (Lemma H16).
     pub fn under_several(
         spectrum: &Spectrum,
         origin: &Origin<Exact>,
@@ -93,7 +93,7 @@ impl Still {
         Ok((is_above_0(&below) && is_above_0(&above) || is_inside()).then_some(Self::UNTOUCHED))
     }
 
-    /// Returns the first graze after `phase`, or the next one after another: its wall, whole forcing periods and phase.
+    /// First graze after `phase`: its wall, whole forcing periods and phase.
     pub fn graze_after(self, turns: i64, phase: f64) -> Option<(Wall, i64, f64)> {
         let candidates = [(Wall::Left, 0.25, self.grazes_left), (Wall::Right, -0.25, self.grazes_right)];
         let next = candidates.into_iter().filter(|(.., grazes)| *grazes).map(|(wall, at, _)| {

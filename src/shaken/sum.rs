@@ -69,7 +69,7 @@ mod tests {
         SeveralHarmonics::new(&pair, &0.into()).unwrap().unwrap().balls
     }
 
-    /// (1) and its derivatives at a phase of the fastest, in gaps and forcing periods.
+    /// (1) and its derivatives at a phase of the fastest, in gap widths and forcing periods.
     fn shaking(u: f64) -> [f64; 3] {
         let tau = std::f64::consts::TAU;
         let time = (tau * u - std::f64::consts::PI / 5.0) / (3.0 * std::f64::consts::PI);

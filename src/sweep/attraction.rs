@@ -11,23 +11,23 @@ use crate::pair::Wall;
 use crate::periodic::{Attractor, PeriodicImpact};
 use crate::units::in_radians;
 
-/// The stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
+/// Stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
 ///
-/// That impact makes the word the first one in the alphabet of L and R; of several, the earliest in its cycle. So two
-/// orbits that converge to the same one have the same word, and bounds that overlap.
+/// This impact makes the word the first one in the alphabet of L and R; of several such impacts, it is the earliest in its cycle. So two orbits
+/// that converge to the same periodic orbit have the same word, and bounds that overlap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attraction {
     /// The word, from that impact on.
     pub word: Word,
-    /// The impact; `None` where its phase is another one of the reference in each period, as where that does not move the box.
+    /// First impact of the word; `None` where the reference's phase of this impact differs from period to period.
     pub first: Option<SweepImpact<Enclosure>>,
-    /// The impact of the orbit from which on it is in a neighbourhood that the period contracts.
+    /// Impact of the orbit from which on the orbit is in a neighbourhood that the period contracts.
     pub from: u64,
-    /// Bounds of what the exponent per impact tends to; `None` after a graze, where there is no derivative. Lemma L4
+    /// Bounds of the limit of the exponent per impact; `None` after a graze, where there is no derivative. Lemma L4
     pub limit: Option<[f64; 2]>,
 }
 
-/// The attractor measured from the impact that [`Attraction`] names.
+/// The attractor, measured from the first impact of [`Attraction`].
 pub(super) fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, passed: Passed) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;

@@ -4,7 +4,7 @@ use impact_pair_document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 use crate::exact::{Exact, ParseError};
 
-/// The rows of a table of a sweep. Its columns are those that such rows may fill.
+/// Rows of a table of a sweep. The table has the columns that such rows may fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
     /// Impacts and points, distinguished by the column `record`.
@@ -26,12 +26,12 @@ pub enum Kind {
     Truth,
     /// An exact number as written: text in CSV, bounds in Parquet.
     Exact,
-    /// The lower end of a cell, as written: text in CSV, in Parquet the double next to it inside, above or equal, since what is said of a cell
-    /// is proved in it alone.
+    /// The lower end of a cell: as written in CSV, in Parquet the least double above or equal, since results about a cell are proved in the cell
+    /// alone.
     Low,
-    /// The upper end, the same: below or equal.
+    /// The upper end of a cell: as written in CSV, in Parquet the greatest double below or equal.
     High,
-    /// A double that is no claim.
+    /// A double without proof.
     Number,
     /// Two columns, `_lower` and `_upper`.
     Bounds,
@@ -40,7 +40,7 @@ pub enum Kind {
 /// The content of a row in a column.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<'r> {
-    /// It has none.
+    /// The row has no content in this column.
     Nothing,
     /// A whole number.
     Whole(u64),
@@ -78,7 +78,7 @@ const RESULT_COLUMNS: [(&str, Kind); 15] = [
     ("exponent_limit", Kind::Bounds),
 ];
 
-/// Returns the columns of a table, in order.
+/// Columns of a table, in order.
 pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     let named = |&(name, kind): &(&str, Kind)| (name.to_owned(), kind);
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
@@ -95,7 +95,7 @@ pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     columns
 }
 
-/// Returns the rows of a point in a table: its states, then what is said of it all.
+/// Rows of a point in a table: its states, then its results.
 pub fn rows<'r>(
     head: &SweepHead,
     table: Table,
@@ -107,7 +107,7 @@ pub fn rows<'r>(
     states.iter().map(Some).chain(point).map(move |state| row(record, state, table, has))
 }
 
-/// A state, or what is said of a point, with a duration and a claim where the table has columns for them.
+/// Row of a state, or of a point's results, with a duration and a claim where the table has columns for them.
 fn row<'r>(
     record: &'r SweepRecord,
     state: Option<&'r SweepImpact>,
@@ -162,12 +162,12 @@ fn cells_of(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
     ]
 }
 
-/// Returns the names of a table's columns as a line of CSV.
+/// Names of a table's columns as a line of CSV.
 pub fn csv_head(head: &SweepHead, table: Table) -> String {
     csv_names(columns(head, table))
 }
 
-/// Returns the names of columns as a line of CSV.
+/// Names of columns as a line of CSV.
 pub fn csv_names(columns: Vec<(String, Kind)>) -> String {
     let names = columns.into_iter().map(|(name, kind)| match kind {
         Kind::Bounds => format!("{name}_lower,{name}_upper"),
@@ -176,13 +176,13 @@ pub fn csv_names(columns: Vec<(String, Kind)>) -> String {
     names.collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Returns the rows of a point in a table as lines of CSV.
+/// Rows of a point in a table as lines of CSV.
 pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String {
     let kinds: Vec<Kind> = columns(head, table).into_iter().map(|(_, kind)| kind).collect();
     rows(head, table, record).map(|row| csv_line(&row, &kinds)).collect()
 }
 
-/// Returns a row as a line of CSV; the kinds are those of its columns.
+/// A row as a line of CSV; the kinds are those of its columns.
 pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
     let cells = row.iter().zip(kinds).map(|(cell, kind)| match cell {
         Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
@@ -196,10 +196,10 @@ pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
     cells.collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Returns the doubles next to an exact number as written, below and above it.
+/// Doubles next to an exact number as written, below and above it.
 ///
 /// # Errors
-/// Returns an error if the text is no exact number.
+/// If the text is no exact number.
 pub fn doubles(text: &str) -> Result<[f64; 2], ParseError> {
     Ok(match text {
         "inf" => [f64::INFINITY; 2],

@@ -14,7 +14,7 @@ use crate::orbit::{Arithmetic, Outcome, Period};
 use crate::scene::{Key, Range};
 use crate::{Error, Scene};
 
-/// Returns what a sweep is about; a shard is given by its number and of how many.
+/// Head of a sweep: its scene, grid and settings; a shard is given by its number and the number of shards.
 pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
     SweepHead {
         schema: SWEEP_SCHEMA.to_owned(),
@@ -35,24 +35,24 @@ pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option
     }
 }
 
-/// Returns an axis as heads have it.
+/// An axis in the form of heads.
 pub(crate) fn written(axis: &Range) -> SweepAxis {
     SweepAxis { key: axis.key().to_string(), from: axis.low().text(), to: axis.high().text(), count: axis.points() }
 }
 
-/// Returns the axes that a head has.
+/// Axes of a head.
 ///
 /// # Errors
-/// When one does not read as an axis.
+/// If one of the written axes is not valid.
 pub(crate) fn axes(written: &[SweepAxis]) -> Result<Vec<Range>, Error> {
     let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
     written.iter().map(axis_of).collect()
 }
 
-/// Returns the grid of a head.
+/// Grid of a head.
 ///
 /// # Errors
-/// Returns an error if the head has no valid grid, or its number of points is not that of the grid.
+/// If the head has no valid grid, or its number of points is not that of the grid.
 pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
     let grid = Grid::new(axes(&head.over)?)?;
     if grid.points() != head.points {
@@ -62,7 +62,7 @@ pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
     Ok(grid)
 }
 
-/// Returns what is certified at the point of this number and these values.
+/// Record of the certified results at the point of this number and these values.
 pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
     // Chaos is never claimed: of a motion that is not proved to be attracted only the limit is undecided.
     let outcome = match &point.outcome {
@@ -111,7 +111,7 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
     }
 }
 
-/// The line in words of how it ended, its cycles those of the reference.
+/// The outcome in words, its cycles those of the reference.
 fn message(point: &Point) -> String {
     let own = point.conclusion.document();
     let Some(lasting) = &point.lasting else { return own.message };
@@ -143,7 +143,7 @@ fn of_ball(ball: Ball) -> ExtendedBounds {
     }
 }
 
-/// Returns bounds of an exponent in the limit; an upper bound alone has some ten digits.
+/// Bounds of an exponent in the limit; an upper bound alone has some ten digits.
 pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
     if low.is_finite() || !high.is_finite() {
         return Between::computed(decimal_bounds_f64(low, high));
@@ -153,7 +153,7 @@ pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
     Between::computed(["-inf".to_owned(), high])
 }
 
-/// Returns bounds of an exponent per impact and per forcing period, or the reason why there are none.
+/// Bounds of an exponent per impact and per forcing period, or the reason why there are none.
 pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
     let rest = || Some(Between::computed(["-inf".to_owned(), "-inf".to_owned()]));
     match exponent {

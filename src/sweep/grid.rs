@@ -4,13 +4,13 @@ use crate::Error;
 use crate::exact::Exact;
 use crate::scene::{Key, Range, Scene};
 
-/// The points that a grid has at most.
+/// Greatest number of points of a grid.
 pub const MOST_POINTS: u64 = 100_000_000;
 
 /// Reads an axis: `KEY=LO..HI:COUNT`, evenly spread exact values of a key, endpoints included.
 ///
 /// # Errors
-/// If it is no range with a number of values, which are 2 or more.
+/// If the text is no range with a number of values, 2 or more.
 ///
 /// ```
 /// let axis = impact_pair::sweep::axis("amplitude=0..1:4")?;
@@ -29,17 +29,17 @@ fn is_axis(range: &Range) -> bool {
     range.count().is_some_and(|count| (2..=MOST_POINTS).contains(&count))
 }
 
-/// One axis, or two: then the second one's values run through faster.
+/// One axis, or two: then the values of the second one vary faster.
 #[derive(Clone, Debug)]
 pub struct Grid {
     axes: Vec<Range>,
 }
 
 impl Grid {
-    /// Returns the grid of these axes.
+    /// The grid of these axes.
     ///
     /// # Errors
-    /// Returns an error if there are no axes or more than two, if two set the same key, or if there are more than [`MOST_POINTS`] points.
+    /// If there are no axes or more than two, if two set the same key, or if there are more than [`MOST_POINTS`] points.
     pub fn new(axes: Vec<Range>) -> Result<Self, Error> {
         if let Some(range) = axes.iter().find(|range| !is_axis(range)) {
             return Err(refused(&range.to_string(), ACCEPTED_FORM));
@@ -59,20 +59,20 @@ impl Grid {
         Ok(Self { axes })
     }
 
-    /// Returns the axes.
+    /// The axes.
     pub fn axes(&self) -> &[Range] {
         &self.axes
     }
 
-    /// Returns how many points it has.
+    /// Number of points.
     pub fn points(&self) -> u64 {
         self.axes.iter().map(Range::points).product()
     }
 
-    /// Returns the points at the ends of all axes.
+    /// Points at the ends of all axes.
     ///
-    /// If these are valid scenes, all points are: the values that a key accepts are an interval, and those that two keys accept together, as
-    /// `|y| < d/2`, a convex set.
+    /// If these are valid scenes, all points are. The values that a key accepts are an interval, and those that two keys accept together, as `|y|
+    /// < d/2`, a convex set.
     pub fn corners(&self) -> Vec<u64> {
         match &self.axes[..] {
             [slow, fast] => {
@@ -83,7 +83,7 @@ impl Grid {
         }
     }
 
-    /// Returns where a point lies on each axis, the numbers from 0.
+    /// Positions of a point on each axis, counted from 0.
     pub fn places(&self, point: u64) -> Vec<u64> {
         match &self.axes[..] {
             [slow, fast] => vec![(point / fast.points()) % slow.points(), point % fast.points()],
@@ -91,15 +91,15 @@ impl Grid {
         }
     }
 
-    /// Returns the number, from 0, of the term whose period is the unit of the sweep of a scene: the same for all its points. `None` where the
-    /// excitation has a single term.
+    /// Number, from 0, of the term whose period is the unit of the sweep of a scene: the same for all its points. `None` where the excitation has
+    /// a single term.
     ///
-    /// It is the fastest of the terms that move the box where all axes are at their upper ends: so of terms whose amplitudes vary from
-    /// 0 as well. Phases `W t + tau` and forcing periods refer to this term at every point, also where another term is
-    /// faster there, or where this one does not move the box.
+    /// This term is the fastest of those that move the box where all axes are at their upper ends, so it may be a term whose amplitude varies
+    /// from 0. Phases `W t + tau` and forcing periods refer to this term at every point, also where another term is faster, or where this term
+    /// does not move the box.
     ///
     /// # Errors
-    /// Returns an error if an upper end is not a valid value for the scene.
+    /// If an upper end is not a valid value for the scene.
     ///
     /// ```
     /// use impact_pair::{Scene, sweep::Grid};
@@ -121,7 +121,7 @@ impl Grid {
         Ok((excitation.terms().len() > 1).then(|| excitation.reference_term()))
     }
 
-    /// Returns the scene of a point: with these values in the place of its own, `start.phase` relative to the sweep's [reference](Self::reference).
+    /// Scene of a point: with these values instead of its own, `start.phase` being that of the sweep's [reference](Self::reference).
     ///
     /// # Errors
     /// As of [`Scene::with`].
@@ -135,10 +135,10 @@ impl Grid {
         varied.with(&[(Key::StartTime, time)])
     }
 
-    /// Returns the values of a point, one per axis.
+    /// Values of a point, one per axis.
     ///
     /// # Errors
-    /// If one is beyond the range of exact expressions.
+    /// If a value is beyond the range of exact expressions.
     pub fn values(&self, point: u64) -> Result<Vec<(Key, Exact)>, Error> {
         let value = |(axis, place): (&Range, u64)| {
             let value = axis

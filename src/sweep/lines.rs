@@ -19,32 +19,31 @@ pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
     /// The kind of the lines, in a word.
     const NAME: &'static str;
 
-    /// Returns the schema that the line names.
+    /// Schema that the line names.
     fn schema(&self) -> &str;
 
-    /// Returns the number of points of the whole grid.
+    /// Number of points of the whole grid.
     fn points(&self) -> u64;
 
-    /// Returns the number of the shard, from 1, and the number of shards.
+    /// Number of the shard, from 1, and number of shards.
     fn shard(&self) -> Option<[u64; 2]>;
 
-    /// Returns the same head with this shard.
+    /// The head with this shard.
     fn with_shard(&self, shard: Option<[u64; 2]>) -> Self;
 
-    /// Returns the points.
+    /// The points.
     ///
     /// # Errors
-    /// Returns an error if the axes are no valid grid, or it has another number of points.
+    /// If the axes are no valid grid, or the grid has another number of points.
     fn grid(&self) -> Result<Self::Grid, Error>;
 
-    /// Returns the values of a point, one per axis.
+    /// Values of a point, one per axis.
     ///
     /// # Errors
-    /// If one is beyond the range of exact expressions.
+    /// If a value is beyond the range of exact expressions.
     fn values(grid: &Self::Grid, point: u64) -> Result<Vec<Exact>, Error>;
 
-    /// Returns whether a point belongs to the grid, or to the shard: of several shards, neighbours, which cost alike, go to different
-    /// ones.
+    /// Whether a point belongs to the grid, or to the shard. Neighbours, which cost alike, belong to different shards.
     fn has(&self, point: u64) -> bool {
         point < self.points() && self.shard().is_none_or(|[number, of]| point % of == number - 1)
     }
@@ -52,10 +51,10 @@ pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
 
 /// The record of a point.
 pub trait Line: Serialize + DeserializeOwned {
-    /// Returns its number.
+    /// Number of the point.
     fn point(&self) -> u64;
 
-    /// Returns its values as written.
+    /// Values of the point as written.
     fn values(&self) -> &[String];
 }
 

@@ -1,10 +1,10 @@
 //! One orbit after another over a grid of parameters or initial data: bifurcation diagrams, exponents, basins.
 //!
-//! A [`Grid`] has exact points; at each of them [`follow`] certifies one orbit and its outcome:
-//! a [`Point`]. Points do not know of each other, so they may be computed in any order, by any number of threads.
+//! A [`Grid`] has exact points; at each of them [`follow`] certifies one orbit and its outcome: a [`Point`]. Points are independent, so they may
+//! be computed in any order, by any number of threads.
 //!
-//! All of them have the same units: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where
-//! another one is the fastest.
+//! All points have the same units: phases, cycles and exponents are of one term of the excitation, [`Grid::reference`], also where another term
+//! is the fastest.
 
 mod attraction;
 mod columns;

@@ -17,22 +17,22 @@ use super::attraction::{Attraction, attraction};
 use super::unit::{Lasting, Unit};
 use super::window::Window;
 
-/// Impacts that can be requested at a point.
+/// Greatest number of impacts at a point.
 pub const MOST_IMPACTS: u64 = 1_000_000_000;
 
 /// The settings of each point.
 #[derive(Clone, Debug)]
 pub struct PointSettings {
-    /// Impacts that are certified and passed over first.
+    /// Impacts that are certified first and not listed.
     pub transient: u64,
     /// Number of impacts after the transient.
     pub impacts: u64,
     /// True if the impacts are not listed, only their summary.
     pub summary: bool,
-    /// The number, from 0, of the term whose cycles are the unit, as [`Grid::reference`](super::Grid::reference) says; without it the
-    /// fastest that moves the box.
+    /// Number, from 0, of the term whose cycles are the unit, from [`Grid::reference`](super::Grid::reference); `None` for the fastest term that
+    /// moves the box.
     pub reference: Option<usize>,
-    /// Digits and arithmetic; the impacts to stop after are the sum of both.
+    /// Digits and arithmetic; the orbit stops after the sum of `transient` and `impacts`.
     pub settings: Settings,
 }
 
@@ -41,30 +41,30 @@ pub struct PointSettings {
 pub struct Point {
     /// The impacts after the transient; none in a summary.
     pub states: Vec<SweepImpact<Enclosure>>,
-    /// All impacts that are certified, those of the transient among them.
+    /// Number of certified impacts, those of the transient included.
     pub impacts: u64,
     /// Impacts per forcing period after the transient, an infinite ball where a chatter has infinitely many; `None` without two of them.
     pub impacts_per_cycle: Option<Ball>,
     /// The growth rate of a small disturbance after the transient.
     pub exponent: Exponent,
-    /// The orbit that it is proved to converge to, if any.
+    /// The periodic orbit that the orbit is proved to converge to, if any.
     pub attraction: Option<Attraction>,
-    /// Period of that orbit, or of the exact repetition.
+    /// Period of `attraction`, or of the exact repetition.
     pub lasting: Option<Lasting>,
     /// The outcome of the orbit.
     pub outcome: Outcome,
     /// The outcome in words.
     pub conclusion: Conclusion,
-    /// The start that has the orbit, if that is not the exact one.
+    /// The start that has the orbit, if it is not the exact one.
     pub shadow: Option<Shadowing>,
-    /// The first impact that is wider than requested.
+    /// First impact that is wider than requested.
     pub first_wide: Option<u64>,
-    /// The most bits that an impact took.
+    /// Greatest number of bits that an impact took.
     pub bits: u32,
 }
 
 impl Point {
-    /// Returns whether everything requested is certified.
+    /// Whether everything requested is certified.
     fn is_complete(&self) -> bool {
         self.first_wide.is_none() && !matches!(self.outcome, Outcome::Undecided { .. })
     }
@@ -72,11 +72,11 @@ impl Point {
 
 /// Follows the orbit of a scene to its end; `None` if the watch stops it before.
 ///
-/// In [`Arithmetic::Shadow`] only what doubles do not certify to the digits from the exact start is shadowed, and what neither does is
-/// left to [`Arithmetic::Auto`].
+/// In [`Arithmetic::Shadow`], a point is shadowed only if doubles do not certify the digits from the exact start. If shadowing fails as well,
+/// [`Arithmetic::Auto`] takes over.
 ///
 /// # Errors
-/// Returns an error if a value is beyond the range of double-precision flights.
+/// If a value is beyond the range of double-precision flights.
 pub fn follow(scene: &Scene, requested: &PointSettings, watch: &dyn Watch) -> Result<Option<Point>, Error> {
     if requested.settings.arithmetic != Arithmetic::Shadow {
         return follow_in(requested.settings.arithmetic, scene, requested, watch);
@@ -231,7 +231,7 @@ mod tests {
         assert!(high - low > 0.1 && found.iter().map(phase).all(|x| x - low < 1e-4 || high - x < 1e-4));
     }
 
-    /// Of the diagram's chaotic points one true orbit is listed, and its exponent lies where that of floating point does (0.399 an impact).
+    /// Of the diagram's chaotic points one true orbit is listed; its exponent is near that of floating point (0.399 per impact).
     #[test]
     fn chaotic_points_alone_are_shadowed() {
         let follow = |name: &str, impacts: u64| {

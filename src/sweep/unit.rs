@@ -1,9 +1,9 @@
 //! The unit of a sweep: the cycles of one term of the excitation, at all its points.
 //!
-//! An orbit is given in periods of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, that
-//! is not the same term at all points. With `W`, `tau` of the point's own fastest harmonic and `W'`, `tau'` of the sweep's reference,
-//! `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`, `r = W'/W`: times in forcing periods are `r`
-//! times, velocities in gap widths per forcing period `1/r` times what they are.
+//! An orbit is given in periods of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, this is not
+//! the same term at all points. `W`, `tau` belong to the point's own fastest harmonic, `W'`, `tau'` to the sweep's reference, and `r = W'/W`.
+//! Then `u = (W t + tau)/(2 pi)` becomes `u' = (W' t + tau')/(2 pi) = r (u - tau/(2 pi)) + tau'/(2 pi)`. Times in forcing periods are multiplied
+//! by `r`, velocities in gap widths per forcing period by `1/r`.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -22,9 +22,9 @@ const KEY: &str = "excitation.frequency";
 /// The length of a period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lasting {
-    /// Length in cycles of the reference, where they are a whole number.
+    /// Length in cycles of the reference, if it is a whole number of them.
     pub cycles: Option<u64>,
-    /// Length \[time\], where they are not.
+    /// Length \[time\], if it is not.
     pub time: Option<Enclosure>,
 }
 
@@ -33,7 +33,7 @@ pub struct Lasting {
 pub(super) struct Unit {
     /// `2 pi/W` of the point's own fastest harmonic.
     period: Exact,
-    /// `None` where the own fastest harmonic is the reference.
+    /// `None` where the point's own fastest harmonic is the reference.
     other: Option<Other>,
 }
 
@@ -47,12 +47,12 @@ struct Other {
     ball: Ball,
     /// `tau/(2 pi)` and `tau'/(2 pi)`
     delays: [Exact; 2],
-    /// The own forcing periods after which all that moves the box recurs; `None` where it never does.
+    /// Number of own forcing periods after which the whole excitation recurs; `None` where it never does.
     common: Option<u32>,
 }
 
 impl Unit {
-    /// Returns the unit of a pair whose reference is the term of this number, from 0; its own fastest harmonic without one.
+    /// Unit of a pair whose reference is the term `reference`, from 0; for `None` its own fastest harmonic.
     pub fn of(pair: &ImpactPair, reference: Option<usize>) -> Result<Self, Error> {
         let excitation = pair.excitation();
         let own = excitation.reference();
@@ -80,7 +80,7 @@ impl Unit {
         self.other.as_ref().map(|other| other.ball)
     }
 
-    /// Returns the phase `W' t + tau'` of an impact \[rad\], its lower bound in `[0, 2 pi)`.
+    /// Phase `W' t + tau'` of an impact \[rad\], its lower bound in `[0, 2 pi)`.
     pub fn phase(&self, orbit: &Orbit, impact: &Impact) -> Enclosure {
         match &self.other {
             None => orbit.phase(impact),
@@ -88,15 +88,15 @@ impl Unit {
         }
     }
 
-    /// Returns the same of an impact that recurs after whole common periods of all that moves the box, from its phase less such; `None` where
-    /// it is another one each time.
+    /// Phase `W' t + tau'` of an impact that recurs after whole common periods of the excitation, given its own phase modulo that period. `None`
+    /// where the phase differs each time.
     pub fn recurring(&self, turns: &Enclosure, bits: u32) -> Option<Enclosure> {
         let Some(other) = &self.other else { return Some(in_radians(turns, bits)) };
         let passed = other.fraction.as_ref()? * BigRational::from_integer(other.common?.into());
         passed.is_integer().then(|| in_radians(&other.turns(turns, bits), bits))
     }
 
-    /// Returns how long N own cycles are.
+    /// Duration of `cycles` own cycles.
     pub fn lasting(&self, cycles: u64) -> Lasting {
         let Some(other) = &self.other else { return Lasting { cycles: Some(cycles), time: None } };
         let passed = other.fraction.as_ref().map(|fraction| fraction * BigRational::from_integer(cycles.into()));

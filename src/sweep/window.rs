@@ -1,4 +1,4 @@
-//! What a point keeps of its orbit: the impacts after the transient, how often they come, and how a disturbance grows.
+//! Data of a point's orbit: the impacts after the transient, their frequency, and the growth of a disturbance.
 
 use impact_pair_document::SweepImpact;
 

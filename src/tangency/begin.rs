@@ -14,11 +14,11 @@ use crate::number::{Ball, Enclosing};
 use crate::periodic::krawczyk::{Effort, Equations, Proved, prove};
 use crate::periodic::precondition::Preconditioner;
 
-/// Steps of Newton's iteration, the largest one, and when it has ended.
+/// Greatest number of steps of Newton's iteration, the largest step, and the size of the last step.
 const STEPS: u32 = 40;
 const LARGEST_STEP: f64 = 0.05;
 const STEP_TOLERANCE: f64 = 1e-12;
-/// A parameter of a manifold is at most that part of the radius for which it is proved.
+/// Greatest parameter of a manifold, relative to the radius for which the manifold is proved.
 const PARAMETER_PART: f64 = 0.125;
 /// The radii of `D` for which the manifolds are proved, and of the largest domain.
 pub(super) const MANIFOLD_RADIUS: f64 = 1.0 / 8192.0;
@@ -90,7 +90,7 @@ pub(super) fn settled(fold: &Fold, over: Parameter) -> Option<Fold> {
     Some(Fold { pair, guess, flights: fold.flights.clone(), sigma: [x[0], x[1]], distance: 0.0 })
 }
 
-/// The same, its section chosen so that both parameters are small.
+/// The tangency near a fold, and its manifolds, with a section chosen so that both parameters are small.
 fn approximate(fold: &Fold, over: Parameter, reach: f64) -> Option<(Fold, [Local; 2])> {
     let mut found = settled(fold, over)?;
     let Fold { pair, guess, .. } = found;
@@ -108,7 +108,7 @@ fn approximate(fold: &Fold, over: Parameter, reach: f64) -> Option<(Fold, [Local
     Some((found, [unstable, stable]))
 }
 
-/// The saddle of the same kind.
+/// The saddle nearest in phase to a guess.
 fn nearest(pair: Pair<f64>, guess: &Guessed) -> Option<Guessed> {
     let apart = |other: &Guessed| (other.theta - guess.theta).abs();
     Guessed::all(pair).into_iter().min_by(|a, b| apart(a).total_cmp(&apart(b))) // proposes
@@ -137,7 +137,7 @@ pub(super) fn chain_in<N: Enclosing>(
     }
 }
 
-/// A zero proved in doubles, with what is needed to narrow it.
+/// A zero proved in doubles, with the data to narrow it.
 pub(super) struct InDoubles {
     pub chain: Chain<Ball>,
     #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]

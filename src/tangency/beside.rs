@@ -52,7 +52,7 @@ fn place(unknown: usize) -> Option<usize> {
 }
 
 impl Curve<'_> {
-    /// The unknowns of the chain, all tangents 0.
+    /// Unknowns of the chain, with all tangents 0.
     fn all(&self, x: &[Ball]) -> Vec<Ball> {
         let value = |i: usize| place(i).map_or(Ball::exact(0.0), |i| x[i]);
         (0..self.chain.unknowns()).map(value).collect()
@@ -62,7 +62,7 @@ impl Curve<'_> {
         Preconditioner::new(&self.jacobian(x)?.map(|x| x.mid()))
     }
 
-    /// The piece of the curve next to a guess, and what its derivatives are multiplied with.
+    /// Piece of the curve next to a guess, and the preconditioner of its derivatives.
     fn piece(&self, guess: &[Ball]) -> Option<(Proved<Ball>, Preconditioner)> {
         const STEPS: u32 = 8;
         let inverse = self.approximate(guess)?;
@@ -72,7 +72,7 @@ impl Curve<'_> {
         Some((prove_inflating(self, &inverse, &guess, EFFORT)?, inverse))
     }
 
-    /// Returns the derivative of the parameter by the coordinate along a piece.
+    /// Derivative of the parameter by the coordinate along a piece.
     fn slope(&self, x: &[Ball], inverse: &Preconditioner) -> Option<Ball> {
         let mut right = vec![Ball::exact(0.0); x.len()];
         right[x.len() - 1] = Ball::exact(1.0);
@@ -129,13 +129,13 @@ impl<'c> Whole<'c> {
         is_inside(&piece.at, &self.zero.domain).then_some((piece.at, inverse))
     }
 
-    /// Returns whether a piece is where the tangency is the only one.
+    /// Whether all points of a piece are in the domain where the tangency is the only one.
     fn is_about_the_tangency(&self, piece: &[Ball]) -> bool {
         let domain = &self.found.zero.domain;
         (0..domain.len()).all(|i| place(i).is_none_or(|own| piece[own].is_interior_to(&domain[i])))
     }
 
-    /// Returns whether all tangencies between two values of the coordinate are proved to be the one that is known. Lemma J13
+    /// Whether all tangencies between two values of the coordinate are proved to be the known one. Lemma J13
     fn has_one(&self, [low, high]: [f64; 2]) -> bool {
         let centre = 0.5 * (low + high);
         let at = Ball::new(centre, (centre - low).max(high - centre).next_up()); // J13: the ball holds both ends
@@ -147,7 +147,7 @@ impl<'c> Whole<'c> {
             || (high - low > MIN_PIECE * self.half && self.has_one([low, centre]) && self.has_one([centre, high]))
     }
 
-    /// Returns whether the tangency is proved to be on the curve, its coordinate in a ball. Lemma J13
+    /// Whether the tangency is proved to be on the curve, with its coordinate in a ball. Lemma J13
     fn holds_the_tangency(&self, between: Ball) -> bool {
         let InDoubles { zero, .. } = self.found;
         let is_on = |i: usize, own: usize| {

@@ -23,26 +23,25 @@ fn printed(x: Ball) -> Ball {
     x.widened(x.rad() / 64.0)
 }
 
-/// Returns whether the ends of a ball are positive and differ by less than a tenth, so that changing its units changes the parts of what
-/// is printed by less than a quarter. Lemma J13
+/// Whether the ends of a ball are positive and differ by less than a tenth, so that a change of units changes relative widths of printed bounds
+/// by less than a quarter. Lemma J13
 pub(super) fn is_narrow(x: Ball) -> bool {
     low(x) > 0.0 && high(x) < 1.1 * low(x)
 }
 
-/// Returns whether a ball is within a domain when it is printed.
+/// Whether a ball, widened as by printing, is within a domain.
 pub(super) fn is_within(x: Ball, domain: Ball) -> bool {
     printed(x).is_interior_to(&domain)
 }
 
-/// A ball that is between two numbers when it is printed.
+/// A ball that is still between two numbers when widened as by printing.
 pub(super) fn between(a: f64, b: f64) -> Option<Ball> {
     let ball = Ball::new(0.5 * (a + b), 31.0 / 64.0 * (b - a)); // proposes
     let wider = printed(ball);
     (ball.rad() > 0.0 && a < low(wider) && high(wider) < b && is_narrow(wider)).then_some(ball)
 }
 
-/// The bounds of states, phases less whole forcing periods; `None` where they are not within the domain of one of them when they are
-/// printed.
+/// Bounds of states, phases less whole forcing periods; `None` where a state, widened as by printing, is not within its domain.
 pub(super) fn states(all: impl Iterator<Item = [(Ball, Ball); 2]>) -> Option<Vec<StateBounds>> {
     let bounds = |[(phase, phases), (speed, speeds)]: [(Ball, Ball); 2]| {
         let turns = phase.turn() * Ball::exact((phase.mid() / TAU).floor()); // proposes: a whole number

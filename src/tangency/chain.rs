@@ -15,10 +15,11 @@ pub(super) const FIRST_STATE: usize = 4;
 /// The place of the parameter.
 const PARAMETER: usize = 2;
 
-/// The flights from the unstable manifold to the stable one, whose unknowns are [`FIRST_STATE`], then phase, speed and tangent of each state between.
+/// Flights from the unstable manifold to the stable one. Unknowns are [`FIRST_STATE`] values, then phase, speed and tangent of each state
+/// between.
 #[derive(Clone, Debug)]
 pub(super) struct Chain<N> {
-    /// The parameter that is unknown, and the value of the other one.
+    /// The unknown parameter, and the value of the other one.
     pub over: Parameter,
     pub other: N,
     pub flights: Vec<Side>,
@@ -32,7 +33,7 @@ pub(super) struct Chain<N> {
 /// A state with its tangent.
 pub(super) type Moving<N> = State<Jet<N>>;
 
-/// The change of a flight with one of the unknowns.
+/// Change of a flight with one of the unknowns.
 struct Direction<N> {
     unknown: usize,
     start: Moving<N>,
@@ -75,7 +76,7 @@ impl<N: Enclosing> Chain<N> {
         Some(Ends { unstable, stable, stretch: x[3].clone() })
     }
 
-    /// The state before flight `k`, with its tangent, as the unknowns have it.
+    /// State before flight `k`, with its tangent, given the unknowns.
     fn state(&self, x: &[N], ends: &Ends<N>, k: usize) -> Moving<N> {
         if k == 0 {
             return [0, 1].map(|i| Jet {
@@ -95,13 +96,13 @@ impl<N: Enclosing> Chain<N> {
         [0, 1].map(|i| Jet { value: own[i].clone(), slope: own[2 + i].clone() })
     }
 
-    /// All states of the chain with their tangents, as the unknowns have them.
+    /// All states of the chain with their tangents, given the unknowns.
     pub fn states(&self, x: &[N]) -> Option<Vec<Moving<N>>> {
         let ends = self.ends(x, self.over)?;
         Some((0..=self.flights.len()).map(|k| self.state(x, &ends, k)).collect())
     }
 
-    /// The unknowns on which the state before flight `k` depends, and how.
+    /// Unknowns on which the state before flight `k` depends, and its derivatives by them.
     fn moves(&self, ends: &Ends<N>, k: usize) -> Vec<(usize, Moving<N>)> {
         let jet = |value: &N, slope: &N| Jet { value: value.clone(), slope: slope.clone() };
         if k == 0 {
@@ -137,7 +138,7 @@ impl<N: Enclosing> Chain<N> {
         pair.map(|x| Jet::constant(x.clone())).miss(&self.rescaled(from, k), to, self.flights[k])
     }
 
-    /// Returns the changes of `g` of a flight, and of its derivative along the tangents, with given changes of states, tangents, `D` and `e`.
+    /// Changes of `g` of a flight, and of its derivative along the tangents, with given changes of states, tangents, `D` and `e`.
     pub fn change(
         &self,
         x: &[N],
@@ -174,7 +175,7 @@ impl<N: Enclosing> Chain<N> {
 }
 
 impl<N: Enclosing> Chain<N> {
-    /// The derivatives of all values by the parameter that is not unknown.
+    /// Derivatives of all values by the known parameter.
     pub fn by_other(&self, x: &[N]) -> Option<Vec<N>> {
         let ends = self.ends(x, self.over.other())?;
         let by = Pair::of(self.over, zero(), N::from_f64(1.0));
@@ -191,7 +192,7 @@ impl<N: Enclosing> Chain<N> {
         Some(values)
     }
 
-    /// Returns the change of the equations, its sign reversed, with a displacement of state and tangent after the last flight.
+    /// Change of the equations, with opposite sign, for a displacement of state and tangent after the last flight.
     pub fn end_moved(&self, x: &[N], by: &Moving<N>) -> Option<Vec<N>> {
         let last = self.flights.len() - 1;
         let ends = self.ends(x, self.over)?;

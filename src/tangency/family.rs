@@ -12,7 +12,7 @@ use crate::periodic::entries::Entries;
 use crate::periodic::krawczyk::{Effort, Equations, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
-/// A chain whose last unknown is the other parameter, and the last equation that it has a value of this ball.
+/// A chain whose last unknown is the other parameter; the last equation is that it has a value in this ball.
 pub(super) struct Family<'c> {
     pub chain: &'c Chain<Ball>,
     pub other: Ball,

@@ -28,7 +28,7 @@ pub(super) enum Parameter {
 }
 
 impl Parameter {
-    /// The other one.
+    /// The other parameter.
     pub fn other(self) -> Self {
         match self {
             Self::Gap => Self::Restitution,
@@ -54,14 +54,14 @@ impl<N> Pair<N> {
         }
     }
 
-    /// The same of each.
+    /// Applies a function to both parameters.
     pub fn map<M>(&self, f: impl Fn(&N) -> M) -> Pair<M> {
         Pair { gap: f(&self.gap), restitution: f(&self.restitution) }
     }
 }
 
 impl<N: Number> Pair<N> {
-    /// The same, with the derivatives by one parameter.
+    /// The pair, with the derivatives by one parameter.
     pub fn moving(&self, by: Parameter) -> Pair<Jet<N>> {
         let moved = Jet::variable(self.value(by).clone());
         Pair::of(by, moved, Jet::constant(self.value(by.other()).clone()))
@@ -69,7 +69,7 @@ impl<N: Number> Pair<N> {
 }
 
 impl<N: Wave> Pair<N> {
-    /// Returns `g`, which is 0 where a flight leads from one state to another.
+    /// `g`, which is 0 where a flight leads from one state to another.
     pub fn miss(&self, [theta, w]: &State<N>, [phi, omega]: &State<N>, side: Side) -> Option<State<N>> {
         let (sin0, cos0) = sin_cos(theta)?;
         let (sin1, cos1) = sin_cos(phi)?;

@@ -1,5 +1,4 @@
-//! First contacts of all flights of a homoclinic orbit, and how slow and how short they are: Lemma J9 of
-//! `docs/proofs/tangency.md#J9`.
+//! First contacts of all flights of a homoclinic orbit, with lower bounds of their speeds and times: Lemma J9 of `docs/proofs/tangency.md#J9`.
 
 use super::boxes::low;
 use super::chain::Chain;
@@ -16,12 +15,12 @@ pub(super) struct Least {
     pub time: f64,
 }
 
-/// The lesser one; `None` where a bound is not positive, or NaN.
+/// The lesser of two bounds; `None` where a bound is not positive, or NaN.
 fn lesser(bound: f64, x: f64) -> Option<f64> {
     is_positive(x).then_some(if x < bound { x } else { bound })
 }
 
-/// Returns whether all flights from a box are proved to be first contacts, those of the zeros of `g` whose phases are in that of a second box.
+/// Whether all flights from a box are proved to be first contacts, for the zeros of `g` whose phases are in a second box's.
 fn is_first(pair: &Pair<Ball>, [theta, w]: State<Ball>, [phi, _]: State<Ball>, side: Side) -> Option<bool> {
     let turn = theta.turn();
     let [start, end] = [theta.checked_div(turn)?, phi.checked_div(turn)?];

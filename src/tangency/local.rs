@@ -15,9 +15,9 @@ pub(super) struct Local {
     pub radius: f64,
     pub pair: Pair<f64>,
     pub reach: Pair<f64>,
-    /// Bounds there of how far phase and speed are from those of the fixed point.
+    /// Bounds, over this domain, of the distances of phase and speed from those of the fixed point.
     pub size: [f64; 2],
-    /// The phase of the fixed point, and the eigenvalue: there are no others in these discs.
+    /// Phase of the fixed point, and the eigenvalue: each is unique in its disc.
     pub fixed: Ball,
     pub eigenvalue: Ball,
 }
@@ -48,7 +48,7 @@ fn inverse([[a, b], [c, d]]: &Matrix) -> Option<Matrix> {
     Some([[over(*d)?, over(-*b)?], [over(-*c)?, over(*a)?]])
 }
 
-/// The centres alone.
+/// Matrix of the centres.
 fn centres(a: &Matrix) -> Matrix {
     a.map(|row| row.map(|x| exact(x.ball().mid())))
 }
@@ -58,7 +58,7 @@ fn sum(terms: &[f64]) -> f64 {
     terms.iter().fold(Ball::exact(0.0), |sum, x| sum + Ball::exact(*x)).mag()
 }
 
-/// The larger one; NaN where one is.
+/// The larger of two numbers; NaN where one is.
 fn larger([a, b]: [f64; 2]) -> f64 {
     if a > b {
         a
@@ -236,7 +236,7 @@ impl Frame {
 }
 
 impl Local {
-    /// Proves that a manifold is analytic, as far as it finds; `None` where it finds nothing. Lemma J3
+    /// Proves that a manifold is analytic, for the largest radius that succeeds; `None` where none does. Lemma J3
     pub fn prove(pair: Pair<f64>, reach: Pair<f64>, guess: &Guessed, side: Side) -> Option<Self> {
         const MAX_RADIUS: f64 = 0.5;
         const TRIES: i32 = 16;
@@ -251,7 +251,7 @@ impl Local {
         })
     }
 
-    /// Returns whether all members of a pair are within half the reaches, and the phase and the eigenvalue of a fixed point are those of this one.
+    /// Whether all members of a pair are within half the reaches, and this phase and eigenvalue of a fixed point are in the discs.
     pub fn covers(&self, pair: &Pair<Ball>, phase: Ball, eigenvalue: Ball) -> bool {
         let is_within = |x: Ball, disc: Ball| (x - Ball::exact(disc.mid())).mag() <= disc.rad();
         let is_near =

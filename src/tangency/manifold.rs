@@ -7,28 +7,28 @@ use super::series::Series;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::bifurcation::Jet;
 
-/// A point of a manifold; slopes are those by one parameter.
+/// Point of a manifold; slopes are derivatives by one parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Point<N> {
     pub at: State<Jet<N>>,
-    /// The derivative by the parameter of the manifold.
+    /// Derivative of the point by the parameter of the manifold.
     pub along: State<Jet<N>>,
-    /// The second one.
+    /// Second derivative of the point by the parameter of the manifold.
     pub bend: State<N>,
 }
 
-/// A manifold of the fixed point: its series, and what is left out of them.
+/// A manifold of the fixed point: its series, and bounds of the remainder.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Manifold {
     pub side: Side,
     pub guess: Guessed,
     /// Terms up to this order are summed.
     pub order: usize,
-    /// The domain in which it is proved to be analytic; without it only the sum is returned, which proves nothing.
+    /// Domain in which the manifold is proved to be analytic; without it only the sum is returned, which proves nothing.
     pub local: Option<Local>,
 }
 
-/// Bounds of what is left out of a value, its derivatives by `sigma`, once and twice, by one parameter, and by both.
+/// Bounds of the remainder of a value, of its first and second derivative by `sigma`, of that by one parameter, and of the mixed one.
 type Tail = [f64; 5];
 
 impl Manifold {
@@ -55,7 +55,7 @@ impl Manifold {
         Some(Point { at, along, bend })
     }
 
-    /// Bounds of what is left out of phase and speed. Lemma J4
+    /// Bounds of the remainders of phase and speed. Lemma J4
     fn tails(&self, local: &Local, by: Parameter, sigma: f64) -> Option<[Tail; 2]> {
         let ball = Ball::exact;
         // J4: any radius between
@@ -80,7 +80,7 @@ impl Manifold {
         Some([tail(local.size[0])?, tail(local.size[1])?])
     }
 
-    /// The order from which on what is left out is smaller than some error; proposes.
+    /// Order from which on the remainder is smaller than `error`; proposes.
     pub fn order_for(local: &Local, sigma: f64, error: f64) -> usize {
         let middle = (sigma * local.radius).sqrt().max(0.125 * local.radius); // proposes
         let ratio = middle / local.radius;

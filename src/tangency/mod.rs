@@ -42,7 +42,7 @@ pub use word::{FlightWord, MOST_FLIGHTS};
 /// The keys over which tangencies are searched, in words.
 pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
 
-/// Returns whether tangencies are searched over such a range.
+/// Whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {
     matches!(range.key(), Key::Gap | Key::Amplitude(_) | Key::Restitution) && range.count().is_none()
 }
@@ -58,8 +58,8 @@ pub struct TangencySettings {
     pub longest: usize,
     /// Number of tangencies that are proved at most, those nearest to the scene's own value.
     pub most: usize,
-    /// The work of the search without a word, about, for each saddle: the flights that it computes in floating point. To follow a fold to
-    /// its tangency is as much as 10,000 flights, and as much again is allowed for all folds.
+    /// Work of the search without a word for each saddle: about the number of flights in floating point. Following a fold to its tangency counts
+    /// as 10,000 flights; as much work again is allowed for all folds.
     pub work: usize,
     /// Requested widths of the enclosures: of `D` and of the parameters of the manifolds, absolute.
     pub precision: Precision,
@@ -75,17 +75,17 @@ pub struct Tangency {
     pub flights: FlightWord,
     /// The phase of the saddle in radians, in `[0, 2 pi)`.
     pub phase: Enclosure,
-    /// Its speed, over `A W`.
+    /// Speed of the saddle, over `A W`.
     pub speed: Enclosure,
-    /// Its eigenvalues: the unstable one and the stable one.
+    /// Eigenvalues of the saddle: the unstable one and the stable one.
     pub eigenvalues: [Enclosure; 2],
     /// The parameter of the unstable manifold, along which the phase has the derivative 1 at the saddle.
     pub unstable: Enclosure,
-    /// The same of the stable manifold.
+    /// The parameter of the stable manifold, with the same derivative.
     pub stable: Enclosure,
-    /// `q` of Lemma J5, not 0: by how much the manifolds bend away from each other.
+    /// `q` of Lemma J5, not 0: the relative curvature of the two manifolds.
     pub quadratic: Enclosure,
-    /// `m` of Lemma J5, not 0: how fast they pass through each other, for a unit of `D = d/A`.
+    /// `m` of Lemma J5, not 0: the speed at which the manifolds pass through each other, per unit of `D = d/A`.
     pub unfolding: Enclosure,
     /// A lower bound of all speeds of the orbit, over `A W`.
     pub least_speed: f64,
@@ -107,7 +107,7 @@ pub struct Tangency {
 pub struct Beside {
     /// Values of the parameter, in the units of the scene: for each there are exactly two common points.
     pub two: Enclosure,
-    /// The same: for each there is none.
+    /// Values of the parameter, in the units of the scene: for each there is no common point.
     pub none: Enclosure,
     /// The range of `sigma_u`.
     pub unstable: Enclosure,
@@ -122,7 +122,7 @@ pub struct Beside {
 pub struct UnprovedTangency {
     /// The value of the parameter near which the fold is, in the units of the scene.
     pub near: f64,
-    /// Its flights.
+    /// The flights of the fold.
     pub flights: FlightWord,
 }
 
@@ -203,19 +203,19 @@ impl Tangencies {
         Ok(all)
     }
 
-    /// Returns whether there are tangencies, the search was not cut short, and all folds that were tried are proved to lead to one.
+    /// Whether there are tangencies, the search was not cut short, and all folds that were tried are proved to lead to one.
     pub fn is_certified(&self) -> bool {
         !self.interrupted && !self.limited && self.unproved.is_empty() && !self.tangencies.is_empty()
     }
 }
 
 impl UnprovedTangency {
-    /// The reason why it is undecided.
+    /// Reason why the tangency is undecided.
     pub const REASON: &str = "the tangency near this fold of floating point, or one of its flights, is not proved";
 }
 
 impl Tangency {
-    /// Returns whether another one may be at the same value.
+    /// Whether another tangency may be at the same value.
     fn meets(&self, other: &Self) -> bool {
         self.parameter.intersection(&other.parameter).is_some()
     }

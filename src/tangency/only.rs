@@ -31,7 +31,7 @@ fn derivatives(chain: &Chain<Ball>, domain: &[Ball], first: Moving<Ball>, own: f
     Some(all)
 }
 
-/// Returns whether a proved zero is the only one whose `sigma_u`, `sigma_s` and `D` are within these distances of its own. Lemma J6
+/// Whether a proved zero is the only one whose `sigma_u`, `sigma_s` and `D` are within these distances of its own. Lemma J6
 pub(super) fn is_only(chain: &Chain<Ball>, domain: &[Ball], at: &[Ball], within: [f64; 3]) -> Option<bool> {
     let [unstable, stable, gap] = within;
     let pair = chain.pair(domain);

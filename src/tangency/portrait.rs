@@ -10,7 +10,7 @@ use super::saddle::{Guessed, Side as Manifold};
 use super::search::Floats;
 use crate::chaos::{Side, State};
 
-/// Points of both manifolds of a saddle in floating point, phases in radians and speeds over `A W`. Nothing of it is proved.
+/// Points of both manifolds of a saddle in floating point, phases in radians and speeds over `A W`, without proof.
 #[derive(Clone, Debug)]
 pub struct Portrait {
     /// The saddle.
@@ -19,7 +19,7 @@ pub struct Portrait {
     pub point: State,
     /// Points of the unstable manifold in the section, phases in `[0, 2 pi)`.
     pub unstable: Vec<State>,
-    /// Points of the stable one.
+    /// Points of the stable manifold.
     pub stable: Vec<State>,
 }
 
@@ -54,7 +54,7 @@ impl LocalSaddle<'_> {
         Some(LocalSaddle { tangency, floats: Floats::new(Pair { gap, restitution: e }, guess)?, gap, e })
     }
 
-    /// Returns the number of flights before the end at which the tangency is magnified.
+    /// Number of flights before the end at which the tangency is magnified.
     fn before(&self) -> usize {
         self.tangency.flights.0.iter().rev().take_while(|side| **side == Side::Far).count().min(MAGNIFIED_FLIGHTS)
     }
@@ -107,7 +107,7 @@ fn in_period([theta, w]: State) -> State {
 }
 
 impl Portrait {
-    /// Returns the manifolds at values of `D` and `e`.
+    /// The manifolds at values of `D` and `e`.
     pub fn of(tangency: &Tangency, pair: [f64; 2]) -> Option<Self> {
         let near = LocalSaddle::new(tangency, pair)?;
         let [unstable, stable] = near.floats.guess.lambda;
@@ -133,7 +133,7 @@ impl Portrait {
         })
     }
 
-    /// Returns both manifolds, the unstable one first, near the point of tangency, as curves.
+    /// Both manifolds, the unstable one first, near the point of tangency, as curves.
     pub fn magnified(&self, tangency: &Tangency, pair: [f64; 2], within: State) -> Option<[Vec<State>; 2]> {
         let [theta, w] = self.point;
         let near = LocalSaddle::new(tangency, pair)?;
@@ -144,7 +144,7 @@ impl Portrait {
             let at = |i: i32| near.image(own + size * f64::from(i) / 400.0).map(place);
             (-400..=400).filter_map(at).collect()
         };
-        // As much of it as is near.
+        // Half the length of the curve whose ends are near.
         let size = (0..40).map(|k| own.abs() * 0.1 * 0.5f64.powi(k)).find(|size| {
             let points = unstable(*size);
             points.first().is_some_and(|first| is_near(*first)) || points.last().is_some_and(|last| is_near(*last))

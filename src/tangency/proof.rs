@@ -25,7 +25,7 @@ pub(super) struct Proof {
     pub least: Least,
     pub resonances: u32,
     pub flights: Vec<chaos::Side>,
-    /// Bounds of the states between, of which there is one tangency only, of a family. Lemma J12
+    /// For a family: bounds of the states between the manifolds; within them each member has one tangency only. Lemma J12
     pub states: Option<Vec<StateBounds>>,
     /// The common points on either side; `None` where they are not proved. Lemma J13
     pub beside: Option<Sides>,
@@ -41,7 +41,7 @@ fn in_period<N: Enclosing>(phase: N) -> N {
     }
 }
 
-/// Returns the properties that follow from a chain and an enclosure of its zero, its flights proved. Lemmas J7, J8
+/// Properties that follow from a chain and an enclosure of its zero, its flights proved. Lemmas J7, J8
 pub(super) fn conclude<N: Enclosing>(
     chain: &Chain<N>,
     inverse: &Preconditioner,

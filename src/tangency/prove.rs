@@ -26,7 +26,7 @@ pub(super) struct Request {
 /// the change of units.
 const UNIQUENESS_FACTOR: f64 = 8.0;
 impl InDoubles {
-    /// The zero is the only one within its bounds (Lemma J6), and what follows of it.
+    /// Proves that the zero is the only one within its bounds (Lemma J6), and the properties that follow.
     fn conclude<N: Enclosing>(&self, chain: &Chain<N>, at: &[N]) -> Option<Proof> {
         let own: Vec<Ball> = at.iter().map(Enclosing::as_ball).collect();
         let is_theirs = own.iter().zip(&self.zero.domain).all(|(x, domain)| x.is_interior_to(domain));

@@ -33,7 +33,7 @@ pub(super) struct Saddle<N> {
 }
 
 impl Guessed {
-    /// Returns the saddles among the fixed points of flights of half a forcing period; there are two fixed points at most.
+    /// Saddles among the fixed points of flights of half a forcing period; there are at most two fixed points.
     pub fn all(Pair { gap, restitution: e }: Pair<f64>) -> Vec<Self> {
         let kappa = std::f64::consts::PI * (1.0 + e) / (1.0 - e);
         let (middle, apart) = (2f64.atan2(kappa), (gap / 2f64.hypot(kappa)).acos()); // proposes
@@ -69,7 +69,7 @@ pub(super) fn zero<N: Enclosing>(guess: N, f: impl Fn(&N) -> Option<N>, slope: i
 }
 
 impl<N: Enclosing> Saddle<N> {
-    /// Returns the fixed point near a guess for all `D` and `e` of a pair, and its derivatives by one of them.
+    /// Encloses the fixed point near a guess for all `D` and `e` of a pair, and its derivatives by one of them.
     pub fn new(pair: &Pair<N>, by: Parameter, guess: &Guessed) -> Option<Self> {
         let Pair { gap, .. } = pair;
         let moving = pair.moving(by);
@@ -109,7 +109,7 @@ impl<N: Enclosing> Saddle<N> {
         Some(Self { theta, speed, lambda, restitution: e.clone() })
     }
 
-    /// Returns what the series of one of its manifolds begins with.
+    /// First terms of the series of one of the manifolds.
     pub fn base(&self, side: Side) -> Option<Base<Jet<N>>> {
         let (sin, cos) = sin_cos(&self.theta)?;
         let lambda = match side {
@@ -128,8 +128,8 @@ impl<N: Enclosing> Saddle<N> {
     }
 }
 
-/// Returns the order up to which no product of powers of both eigenvalues, of order 2 or more, is proved to be one of them; `None` where
-/// `|lambda_u| > 1 > |lambda_s|` is not proved. Lemma J8
+/// Order up to which no product of powers of both eigenvalues, of order 2 or more, equals one of them; `None` where `|lambda_u| > 1 > |lambda_s|`
+/// is not proved. Lemma J8
 pub(super) fn resonances([unstable, stable]: [Ball; 2], most: u32) -> Option<u32> {
     let log = |x: Ball| logarithm(if x.mid() < 0.0 { -x } else { x });
     let [u, s] = [log(unstable)?, log(stable)?];

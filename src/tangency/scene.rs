@@ -1,4 +1,4 @@
-//! A search in the units of the scene: its parameter, its range, what floating point finds in it and what is proved.
+//! A search in the units of the scene: its parameter, its range, its folds in floating point and the proved tangencies.
 
 use impact_pair_model::require_digits;
 
@@ -24,7 +24,7 @@ pub(super) struct Search<'s> {
     pub request: Request,
     /// The amplitude where the gap varies, the gap where the amplitude does, or 1.
     unit: Exact,
-    /// The scene's own value of `D` or `e` if the range has it, else that in its middle; and that of the other one.
+    /// The scene's own value of `D` or `e` if the range has it, else the value in the middle of the range; and the value of the other parameter.
     own: Pair<f64>,
     range: [f64; 2],
 }
@@ -32,7 +32,7 @@ pub(super) struct Search<'s> {
 /// The result of a search in floating point.
 pub(super) struct Folds {
     pub folds: Vec<Fold>,
-    /// `true` if there may be more: it ended at the limit of its work.
+    /// `true` if the search ended at the limit of its work: there may be more folds.
     pub limited: bool,
 }
 
@@ -133,14 +133,14 @@ impl<'s> Search<'s> {
         value.map_or(f64::NAN, |value| value.enclose(64).mid_rad().0) // shown
     }
 
-    /// Returns whether bounds of the parameter are within the range.
+    /// Whether bounds of the parameter are within the range.
     pub fn is_inside(&self, parameter: &Enclosure) -> Result<bool, Error> {
         let bits = 256;
         let (low, high) = (self.over.low().enclose(bits), self.over.high().enclose(bits));
         Ok(low.sup() <= parameter.inf() && parameter.sup() <= high.inf())
     }
 
-    /// Returns the tangency of a proof, in the units of the scene.
+    /// The tangency of a proof, in the units of the scene.
     pub fn tangency(&self, proof: Proof) -> Result<Tangency, Error> {
         let [unstable, stable] = proof.sigma;
         Ok(Tangency {

@@ -19,7 +19,7 @@ pub(super) struct Floats {
     pub guess: Guessed,
     unstable: Series<f64>,
     stable: Series<f64>,
-    /// The flights that are computed so far.
+    /// Number of flights that are computed so far.
     computed: Cell<usize>,
 }
 
@@ -30,7 +30,7 @@ pub(super) struct Fold {
     pub guess: Guessed,
     pub flights: Vec<Side>,
     pub sigma: [f64; 2],
-    /// Its distance from the stable manifold.
+    /// Distance of the point from the stable manifold.
     pub distance: f64,
 }
 
@@ -206,7 +206,7 @@ impl Floats {
         found
     }
 
-    /// The folds along all words of at most N flights, and whether all words are searched, which takes no more flights than `work`.
+    /// Folds along all words of at most `longest` flights, and whether all words were searched: the search takes at most `work` flights.
     pub fn all_folds(&self, longest: usize, work: usize, watch: &dyn Watch) -> (Vec<Fold>, bool) {
         // A fundamental domain: what lies nearer comes to it.
         let begun = self.begin(MAX_UNSTABLE / (self.guess.lambda[0] * self.guess.lambda[0]));

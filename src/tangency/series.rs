@@ -28,7 +28,7 @@ fn product<T: Number>(f: &[T], g: &[T], n: usize) -> T {
 }
 
 impl<T: Number> Base<T> {
-    /// The speed of the eigenvector whose phase is 1.
+    /// Speed of the eigenvector whose phase is 1.
     pub fn direction(&self) -> Option<T> {
         let one = T::from_f64(1.0);
         let lambda = &self.lambda;
@@ -37,7 +37,7 @@ impl<T: Number> Base<T> {
 }
 
 impl<T: Number> Series<T> {
-    /// Returns the series up to an order; `None` where one of its coefficients is not determined.
+    /// The series up to an order; `None` where one of its coefficients is not determined.
     pub fn new(base: &Base<T>, order: usize) -> Option<Self> {
         let Base { theta, speed, sin, cos, lambda, restitution, pi } = base;
         let one = T::from_f64(1.0);

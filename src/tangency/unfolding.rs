@@ -15,7 +15,7 @@ pub(super) struct Unfolding<N> {
     pub unfolding: N,
 }
 
-/// Linear equations: a matrix, and what its product with the unknowns is.
+/// Linear equations: a matrix and the right-hand side.
 pub(super) struct Linear<N> {
     pub matrix: Entries<N>,
     pub right: Vec<N>,
@@ -45,7 +45,7 @@ pub(super) fn solved<N: Enclosing>(linear: &Linear<N>, inverse: &Preconditioner)
 }
 
 impl<N: Enclosing> Unfolding<N> {
-    /// Encloses both over an enclosure of the zero of a chain. Lemma J7
+    /// Encloses `q` and `m` over an enclosure of the zero of a chain. Lemma J7
     pub fn new(chain: &Chain<N>, inverse: &Preconditioner, at: &[N]) -> Option<Self> {
         let end = chain.manifolds[1].at(&chain.pair(at), chain.over, &at[1])?;
         let along = end.along.map(|x| x.value);

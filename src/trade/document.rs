@@ -11,7 +11,7 @@ use impact_pair_document::{
 use super::{Crossing, Divergence, ErrorBounds, Extent, Largest, Measured, Trade, TradeArithmetic};
 
 impl Trade<'_> {
-    /// Returns the trade JSON.
+    /// The trade JSON.
     pub fn document(&self) -> TradeDocument {
         let Self { scene, requested, units, interrupted, .. } = self;
         TradeDocument {

@@ -90,9 +90,9 @@ pub struct Crossing {
 /// The impact at which the orbit departs from the true word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Divergence {
-    /// The first impact that is another one.
+    /// First impact that differs from the true one.
     pub impact: u64,
-    /// Its true wall.
+    /// True wall of the impact.
     pub truth: Wall,
     /// `None` if the orbit ends there.
     pub judged: Option<Wall>,
@@ -111,7 +111,7 @@ impl ErrorBounds {
         }
     }
 
-    /// Compares the next impact of both; breaks off where the orbit leaves the true word.
+    /// Compares the next impact of both orbits; breaks off where the orbit leaves the true word.
     fn compare(&mut self, truth: &Reading, judged: Option<&Reading>) -> ControlFlow<()> {
         let index = self.judged + 1;
         let Some(reading) = judged.filter(|judged| judged.wall == truth.wall) else {
@@ -136,14 +136,14 @@ impl ErrorBounds {
     }
 }
 
-/// Bounds of the distance of the points of both.
+/// Bounds of the distance between a point of one enclosure and a point of the other.
 fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
     let difference = one.sub(other, BITS);
     let (least, most): (Dyadic, Dyadic) = (difference.mig(), difference.mag());
     [unit.below(&least), unit.above(&most)]
 }
 
-/// Returns the settings with which the true orbit is computed.
+/// Settings with which the true orbit is computed.
 pub(super) fn truth(requested: &Settings) -> Settings {
     if MULTIPRECISION {
         TradeArithmetic::Auto(DIGITS).settings(requested)
@@ -179,7 +179,7 @@ fn next(orbit: &mut Orbit) -> Next {
     }
 }
 
-/// Judges `float` on this scene, up to the first complete chatter; when interrupted, as far as it came.
+/// Compares the `float` orbit on this scene with the true one, up to the first complete chatter; when interrupted, as far as it came.
 pub(super) fn judge_float(
     scene: &Scene,
     requested: &Settings,

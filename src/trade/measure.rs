@@ -44,17 +44,17 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Returns whether all requested impacts are reached.
+    /// Whether all requested impacts are reached.
     pub fn is_complete(&self) -> bool {
         self.conclusion.reason().is_none()
     }
 
-    /// Returns the digits of the widest enclosure of a time or a velocity.
+    /// Digits of the widest enclosure of a time or a velocity.
     pub fn digits(&self) -> Option<f64> {
         self.widths.map(|Widths { time, velocity }| time.greatest.max(velocity.greatest).digits())
     }
 
-    /// Microseconds that an impact takes of `whole`.
+    /// Microseconds per impact, for a duration of all impacts.
     pub fn microseconds(&self, whole: Duration) -> Option<f64> {
         (self.impacts > 0).then(|| whole.as_secs_f64() * 1e6 / self.impacts as f64)
     }
@@ -72,9 +72,9 @@ pub struct Widths {
 /// Widths of the enclosures of a quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
-    /// The widest.
+    /// The greatest width.
     pub greatest: Size,
-    /// The last impact's.
+    /// Width of the last impact.
     pub last: Size,
 }
 
@@ -89,11 +89,11 @@ impl Extent {
 /// Median times from the orbit's first impact to its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
-    /// The impacts with phases and velocities enclosed, in forcing periods and gaps.
+    /// Time of the impacts, with phases and velocities enclosed in forcing periods and gap widths.
     pub orbit: Duration,
-    /// These, and their bounds in the units of the scene; `None` where there are none.
+    /// Time of the impacts and of their bounds in the units of the scene; `None` without bounds.
     pub with_bounds: Option<Duration>,
-    /// Runs that each median is taken of.
+    /// Number of runs of each median.
     pub repetitions: usize,
 }
 
@@ -128,7 +128,7 @@ pub(super) fn measure(
     }))
 }
 
-/// The observations of the first run.
+/// Observations of the first run.
 struct Seen {
     last: Option<Event>,
     widths: Option<Widths>,
@@ -184,7 +184,7 @@ fn repeat(
     Ok(Some(Times { orbit: median(without), with_bounds, repetitions }))
 }
 
-/// Returns the computing time of the orbit from here to its end; `None` if interrupted.
+/// Computing time of the orbit from here to its end; `None` if interrupted.
 fn time(mut orbit: Orbit, watch: &dyn Watch, each: impl Fn(&Orbit, Impact)) -> Option<Duration> {
     let since = Instant::now();
     orbit.follow_impacts(&Silent(watch), |orbit, impact| {

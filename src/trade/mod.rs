@@ -60,15 +60,15 @@ impl<'s> Trade<'s> {
         Ok(trade)
     }
 
-    /// Returns the reference for `float`, in words.
+    /// The reference for `float`, in words.
     pub fn judge(&self) -> String {
         judge::name(&judge::truth(&self.requested))
     }
 
-    /// Returns the requested length of the orbits, in words.
+    /// The requested length of the orbits, in words.
     ///
     /// # Panics
-    /// Panics if neither impacts nor a time are requested: no orbit goes on for ever.
+    /// If neither impacts nor a time are requested: no orbit goes on for ever.
     pub fn goal(&self) -> String {
         let impacts = self.requested.impacts.map(|impacts| counted(impacts, "impact"));
         let until = self.requested.until.as_ref().map(|until| format!("t = {until}"));

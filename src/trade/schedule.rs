@@ -4,9 +4,9 @@ use std::fmt;
 
 use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
 
-/// Digits that `auto` is requested.
+/// Digits that are requested of `auto`.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
-/// Numbers of fixed bits without a further impact after which no more bits are measured: the first may just miss one.
+/// Numbers of fixed bits without progress in impacts after which no more bits are measured: the first may just miss an impact.
 const MAX_FRUITLESS_ROWS: u32 = 2;
 
 /// An arithmetic with its precision.
@@ -16,7 +16,7 @@ pub enum TradeArithmetic {
     Float,
     /// Certified in doubles.
     Interval,
-    /// The textbook's method.
+    /// The textbook method.
     Inari,
     /// Certified bounds of one true orbit near the given one.
     Shadow,
@@ -27,7 +27,7 @@ pub enum TradeArithmetic {
 }
 
 impl TradeArithmetic {
-    /// Returns the settings of an orbit in this arithmetic, as long as `requested` says.
+    /// Settings of an orbit in this arithmetic, of the requested length.
     pub(super) fn settings(self, requested: &Settings) -> Settings {
         let settings = |arithmetic| Settings { arithmetic, ..requested.clone() };
         match self {
@@ -71,12 +71,12 @@ impl TradeSchedule {
         Self { next: Some(TradeArithmetic::Float), max_bits, textbook, reached: 0, idle: 0 }
     }
 
-    /// Returns the arithmetic to measure.
+    /// The arithmetic to measure.
     pub fn arithmetic(&self) -> Option<TradeArithmetic> {
         self.next
     }
 
-    /// Advances after an arithmetic has reached this number of impacts, or all of them.
+    /// Advances after an arithmetic has reached `impacts` impacts, or all requested ones.
     pub fn advance(&mut self, impacts: u64, all: bool) {
         let auto = Some(TradeArithmetic::Auto(DIGITS[0]));
         self.next = match self.next {
@@ -103,7 +103,7 @@ impl TradeSchedule {
 mod tests {
     use super::*;
 
-    /// Returns the names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
+    /// Names of the arithmetics measured if `bits` bits reach `reach(bits)` of 100 impacts.
     fn measured_names(max_bits: u32, reach: impl Fn(u32) -> u64) -> Vec<String> {
         let mut schedule = TradeSchedule::new(max_bits, true);
         let mut names = Vec::new();

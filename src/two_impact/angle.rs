@@ -2,7 +2,7 @@
 
 use crate::exact::{Dyadic, Real};
 
-/// The steps of [`angle`] at most: each one triples the digits.
+/// Greatest number of steps of [`angle`]: each one triples the digits.
 const STEPS: usize = 16;
 
 /// The phase of `(cos, sin)`, between -pi and pi or a little beyond; `None` if the sets are too wide for one.

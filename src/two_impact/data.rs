@@ -23,7 +23,7 @@ pub(super) struct Data {
     is_elastic: bool,
 }
 
-/// Motions with their amplitudes \[length\], and parts of `th1 - th0` that are not decided.
+/// Motions with their amplitudes \[length\], and undecided parts of `th1 - th0`.
 pub(super) struct Found {
     pub motions: Vec<(Motion, Real)>,
     pub doubts: Vec<Real>,
@@ -37,7 +37,7 @@ impl Found {
 
 impl Data {
     /// # Errors
-    /// Returns an error if e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
+    /// If e is neither 1 nor proved to be below 1, or `d/A` beyond the range of exact expressions.
     pub fn new(pair: &ImpactPair, cycles: u32) -> Result<Self, Error> {
         let e = pair.restitution();
         let is_elastic = match e.compare(&Exact::from(1)) {
@@ -78,7 +78,7 @@ impl Data {
         self.pair.restitution().checked_add(&Exact::from(1))?.checked_mul(&period)
     }
 
-    /// Returns the exact order of `g` and 2, and of `g` and `K`.
+    /// Exact orders of `g` and 2, and of `g` and `K`.
     fn orders(&self, ratio: &Exact) -> Orders {
         let slope = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?;
@@ -94,7 +94,7 @@ impl Data {
         Parameters { cycles: self.cycles, restitution: Real::of(e, ratio.bits()), ratio, is_dead }
     }
 
-    /// Returns all motions for `A` and `d`, until the watch stops it.
+    /// All motions for `A` and `d`, until the watch stops the search.
     pub fn motions(&self, bits: u32, watch: &dyn Watch) -> Found {
         let exact = ratio(&self.pair).expect("proved to exist by `new`");
         let parameters = self.parameters(Real::of(&exact, bits));
@@ -121,7 +121,7 @@ impl Data {
         Real::of(speed, bits).over(&Real::of(self.frequency(), bits)).expect("W > 0")
     }
 
-    /// Returns the equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even, where e < 1 (65).
+    /// Equispaced motion for `d` and `|v|`, with its `A_N` (68); none for N even, where e < 1 (65).
     pub fn with_amplitude(&self, speed: &Exact, bits: u32) -> Found {
         if !self.is_odd() {
             return Found::none();
@@ -140,13 +140,13 @@ impl Data {
         };
         match motion() {
             Some(motion) => Found { motions: vec![(motion, amplitude)], doubts: Vec::new() },
-            // No shaking is no motion of this kind.
+            // Without excitation there is no motion of this kind.
             None if amplitude.sign() == Some(Ordering::Equal) => Found::none(),
             None => Found { doubts: vec![Real::pi(bits) * i64::from(self.cycles)], ..Found::none() },
         }
     }
 
-    /// Returns whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
+    /// Whether `sin th0 = 0` exactly, by (67): `2 d W = (1 + e) N pi |v|`.
     fn is_level(&self, speed: &Exact) -> bool {
         let sides = || {
             let gap = self.pair.gap().checked_mul(self.frequency())?.checked_mul(&Exact::from(2))?;
@@ -155,7 +155,7 @@ impl Data {
         sides().is_ok_and(|(gap, travel)| gap.compare(&travel) == Some(Ordering::Equal))
     }
 
-    /// Returns the equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even, where e < 1 (65).
+    /// Equispaced motions for `A` and `|v|`, each with its `d` (67); none for N even, where e < 1 (65).
     pub fn with_gaps(&self, speed: &Exact, bits: u32) -> Found {
         let length = self.length(speed, bits);
         let amplitude = Real::of(self.pair.excitation().reference().amplitude(), bits);
@@ -208,7 +208,7 @@ impl Data {
         }
     }
 
-    /// Returns the order of `(1 - e)|v|` and `2 A W`: that of `cos th0` and 1, (66).
+    /// Order of `(1 - e)|v|` and `2 A W`: that of `cos th0` and 1, (66).
     fn speed_order(&self, speed: &Exact) -> Option<Ordering> {
         let sides = || {
             let below = Exact::from(1).checked_sub(self.pair.restitution())?.checked_mul(speed)?;

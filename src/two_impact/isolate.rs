@@ -7,9 +7,9 @@ use crate::exact::Dyadic;
 use super::jet::Jet;
 use crate::exact::Real;
 
-/// Boxes that one interval is cut into at most.
+/// Greatest number of boxes that one interval is cut into.
 const MAX_BOXES: usize = 4000;
-/// Steps of [`refine`] at most.
+/// Greatest number of steps of [`refine`].
 const MAX_STEPS: usize = 400;
 
 /// The result for the zeros in a part of an interval.
@@ -92,8 +92,8 @@ fn classify(x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Class {
 }
 
 impl Row {
-    /// Returns its zero, or the doubt whether it has any, given the sign at its end; `None` if it has none. Slopes of neighbours agree
-    /// where they meet.
+    /// The zero of the row, or the doubt whether it has any, given the sign at its end; `None` if the row has none. Slopes of neighbouring boxes
+    /// agree where they meet.
     fn close(self, right: Option<Ordering>) -> Option<Part> {
         match (self.sign, right) {
             (Some(left), Some(right)) if self.is_monotone => {

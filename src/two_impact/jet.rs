@@ -18,12 +18,12 @@ pub(super) struct Jet {
 }
 
 impl Jet {
-    /// Returns the argument itself.
+    /// Jet of the argument: slope 1.
     pub fn argument(x: &Real) -> Self {
         Self { value: x.clone(), slope: Real::int(1, x.bits()) }
     }
 
-    /// Returns a number that does not depend on it.
+    /// Jet of a number that does not depend on the argument.
     pub fn constant(x: &Real) -> Self {
         Self { value: x.clone(), slope: Real::int(0, x.bits()) }
     }
@@ -32,7 +32,7 @@ impl Jet {
         Self { value: self.value.square(), slope: &self.value * &self.slope * 2 }
     }
 
-    /// Returns the square root; `None` where it may be 0, so that it has no slope.
+    /// Square root; `None` where it may be 0, so that it has no slope.
     pub fn sqrt(&self) -> Option<Self> {
         let value = self.value.sqrt()?;
         let slope = self.slope.half().over(&value)?;
@@ -62,7 +62,7 @@ impl Jet {
         Some(Self { value, slope: slope * &self.slope })
     }
 
-    /// Returns the values over `x` by the mean value theorem too, from `f` at the middle.
+    /// Cuts the values over `x` by the mean value theorem, from `f` at the middle.
     pub fn cut(self, x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Self {
         let middle = x.middle();
         if x.wid() == Dyadic::zero() {
@@ -74,7 +74,7 @@ impl Jet {
         Self { value, slope: self.slope }
     }
 
-    /// It, or its negative.
+    /// The jet, or its negative.
     pub fn signed(&self, is_positive: bool) -> Self {
         if is_positive { self.clone() } else { Self { value: -&self.value, slope: -&self.slope } }
     }

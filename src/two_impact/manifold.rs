@@ -50,7 +50,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// Returns the word of the manifold JSON.
+    /// Name of the mark in the manifold JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Graze => "graze",
@@ -113,7 +113,7 @@ pub struct Range<'p> {
     pub count: usize,
 }
 
-/// The points of a grid that can be requested.
+/// Accepted numbers of points of a grid.
 pub const COUNTS: std::ops::RangeInclusive<usize> = 2..=100_000;
 
 /// A point of a curve, by `x = d W/|v|`.
@@ -124,9 +124,9 @@ struct Place {
 }
 
 impl Range<'_> {
-    /// Returns the parameter manifolds of some `N`, until the watch stops them, and whether all were computed; none is empty.
+    /// Parameter manifolds of some `N`, until the watch stops them, and whether all were computed; none is empty.
     ///
-    /// Even `N` have no equispaced motion (65): of a range the odd ones are given.
+    /// Even `N` have no equispaced motion (65): a range gives the odd ones only.
     ///
     /// # Errors
     /// As [`Range::manifold`].
@@ -147,11 +147,11 @@ impl Range<'_> {
         Ok((curves, !watch.is_stopped()))
     }
 
-    /// Returns the curve of N cycles, N odd; of its points the first ones, those computed before the watch stops it.
+    /// The curve of `cycles` cycles, an odd number; if the watch stops it, the points computed before.
     ///
     /// # Errors
-    /// Returns an error if there are several harmonics, if e is not below 1, if N is even (65), if a number is an interval of values,
-    /// if the range is empty or holds 0, or if two marks cannot be distinguished.
+    /// If there are several harmonics, if e is not below 1, if N is even (65), if a number is an interval of values, if the range is empty or
+    /// holds 0, or if two marks cannot be distinguished.
     pub fn manifold(&self, cycles: u32, digits: u32, watch: &dyn Watch) -> Result<Manifold, Error> {
         self.check(cycles)?;
         let bits = working_bits(digits);
@@ -310,7 +310,7 @@ fn order(a: &Real, b: &Real) -> Option<Ordering> {
     (a - b).sign().filter(|order| order.is_ne())
 }
 
-/// Returns the properties from here to the next place: no mark is between them.
+/// Properties from here to the next place: no mark is between them.
 fn part(left: &Place, marks: &[(Mark, Real)]) -> Part {
     let is_beyond = |mark: Mark| {
         marks.iter().any(|(other, x)| {

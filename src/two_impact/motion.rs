@@ -39,7 +39,7 @@ pub(super) struct Motion {
     pub left: (Real, Real),
     /// Sine and cosine of `th1`.
     pub right: (Real, Real),
-    /// `th0`, some forcing periods off.
+    /// `th0`, up to whole forcing periods.
     pub theta0: Real,
     /// `p = th1 - th0`
     pub spacing: Real,
@@ -50,21 +50,21 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    /// Returns the motion that is equispaced (64) for N odd, with this sine and cosine of `th0`.
+    /// Motion that is equispaced (64) for N odd, with this sine and cosine of `th0`.
     pub fn symmetric(parameters: Parameters, (sin, cos): (Real, Real), speed: Real) -> Option<Self> {
         let (theta0, spacing) = (angle(&sin, &cos)?, parameters.half_period());
         let right = (-&sin, -&cos);
         Some(Self { parameters, left: (sin, cos), right, theta0, spacing, speed, is_symmetric: true })
     }
 
-    /// Returns the motion with these phases, which is not its own mirror image.
+    /// Motion with these phases, which is not its own mirror image.
     pub fn unsymmetric(parameters: Parameters, theta0: Real, spacing: Real, speed: Real) -> Self {
         let theta1 = &theta0 + &spacing;
         let (left, right) = ((theta0.sin(), theta0.cos()), (theta1.sin(), theta1.cos()));
         Self { parameters, left, right, theta0, spacing, speed, is_symmetric: false }
     }
 
-    /// `th1`, some forcing periods off.
+    /// `th1`, up to whole forcing periods.
     pub fn theta1(&self) -> Real {
         &self.theta0 + &self.spacing
     }
@@ -74,7 +74,7 @@ impl Motion {
         self.parameters.half_period() * 2 - &self.spacing
     }
 
-    /// Returns the mirror image, begun at its own impact on the left wall (Lemma R2).
+    /// Mirror image, begun at its own impact on the left wall (Lemma R2).
     pub fn mirrored(&self) -> Self {
         let turned = |(sin, cos): &(Real, Real)| (-sin, -cos);
         Self {
@@ -86,7 +86,7 @@ impl Motion {
         }
     }
 
-    /// Returns whether the motion is admissible: `false` if an earlier contact is proved.
+    /// Whether the motion is admissible: `false` if an earlier contact is proved; `None` if undecided.
     pub fn is_physical(&self) -> Option<bool> {
         if self.is_symmetric && !self.is_elastic() {
             return self.is_physical_equispaced();
@@ -149,7 +149,7 @@ struct Flight<'m> {
 }
 
 impl Flight<'_> {
-    /// Returns whether it touches no wall before its end (Lemma W3, the extrema): those of height 0 or `g` exactly are undecided.
+    /// Whether the flight touches no wall before its end (Lemma W3, the extrema): extrema of height exactly 0 or `g` are undecided.
     fn is_first(&self) -> Option<bool> {
         if self.is_dead {
             // It leaves at rest: where the sine is negative it sticks to the wall.

@@ -28,7 +28,7 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// The orbit of a motion in amplitudes and `A W`, its bounds rounded outward to N bits; `None` if the speed may be 0.
+    /// Orbit of a motion in amplitudes and `A W`, its bounds rounded outward to `shown` bits; `None` if the speed may be 0.
     pub(super) fn of(motion: &Motion, units: &Units<Real>, shown: u32, unique: bool) -> Option<Self> {
         let Spectrum { trace, determinant, eigenvalues, stability } = Spectrum::of(motion)?;
         let velocity = &motion.speed * &units.velocity;

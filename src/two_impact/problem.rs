@@ -20,7 +20,7 @@ use crate::exact::Real;
 use crate::periodic::{MeasuredOrbit, Stability};
 use crate::watch::{Unwatched, Watch};
 
-/// The cycles that can be requested: each has an equation of its own to solve.
+/// Accepted numbers of cycles: each has an equation of its own to solve.
 pub const CYCLES: RangeInclusive<u32> = 1..=999;
 /// Bits of the bounds that are handed on, beyond the whole bits of the requested digits.
 pub(super) const SHOWN_BITS: u32 = 11;
@@ -73,10 +73,10 @@ pub struct Answer {
     pub is_complete: bool,
 }
 
-/// Returns the speed before the impact that a scene starts with \[length/time\].
+/// Speed before the impact that a scene starts with \[length/time\].
 ///
 /// # Errors
-/// Returns an error if it starts inside the gap.
+/// If the scene starts inside the gap.
 pub fn speed(scene: &Scene) -> Result<Exact, Error> {
     let (start, key) = (scene.start(), "start.velocity");
     match start.place() {
@@ -90,11 +90,11 @@ pub fn speed(scene: &Scene) -> Result<Exact, Error> {
 }
 
 impl Problem {
-    /// Returns the search for `pair`.
+    /// Search for the motions of `pair`.
     ///
     /// # Errors
-    /// Returns an error if a given number is not greater than 0, if e is neither 1 nor proved to be below 1, if N is not among [`CYCLES`],
-    /// if there are several harmonics, or if the amplitude is unknown for e = 1 and N even, where it is arbitrary.
+    /// If a given number is not greater than 0, if e is neither 1 nor proved to be below 1, if N is not among [`CYCLES`], if there are several
+    /// harmonics, or if the amplitude is unknown for e = 1 and N even, where it is arbitrary.
     pub fn new(pair: &ImpactPair, cycles: u32, unknown: Unknown) -> Result<Self, Error> {
         if !CYCLES.contains(&cycles) {
             let accepted = format!("must be an integer from {} to {}", CYCLES.start(), CYCLES.end());
@@ -117,8 +117,8 @@ impl Problem {
         Ok(Self { data, unknown })
     }
 
-    /// Answers it, with each enclosure of a phase at most `10^-digits` of a forcing period wide and of a velocity `10^-digits` of
-    /// `A W`, where the data are points and nothing is undecided for want of bits.
+    /// Finds the motions, with each enclosure of a phase at most `10^-digits` forcing periods wide and of a velocity `10^-digits` of `A W`, where
+    /// the data are points and nothing is undecided for want of bits.
     ///
     /// **Undecided when** the parameters are so near to a fold, a pitchfork, a graze or an end of stability that eight times the
     /// bits of the digits do not tell, or when intervals of them hold one.
@@ -126,7 +126,7 @@ impl Problem {
         self.answer_within(digits, &Unwatched)
     }
 
-    /// Answers it as [`answer`](Self::answer) does, until the watch stops it: what is not searched or not measured then is undecided.
+    /// Finds the motions as [`answer`](Self::answer) does, until the watch stops it: parts that are not searched or measured then are undecided.
     pub fn answer_within(&self, digits: u32, watch: &dyn Watch) -> Answer {
         let first = working_bits(digits);
         let mut answer = self.answer_in(first, digits, watch);
@@ -144,7 +144,7 @@ impl Problem {
         answer
     }
 
-    /// Returns the pair.
+    /// The pair.
     pub fn pair(&self) -> &ImpactPair {
         self.data.pair()
     }
@@ -154,7 +154,7 @@ impl Problem {
         self.data.cycles()
     }
 
-    /// Returns the quantity to solve for.
+    /// The quantity to solve for.
     pub fn unknown(&self) -> &Unknown {
         &self.unknown
     }
@@ -205,15 +205,15 @@ impl Problem {
 }
 
 impl Answer {
-    /// Returns its answer.
+    /// The problem that is answered.
     pub fn problem(&self) -> &Problem {
         &self.problem
     }
 }
 
-/// Returns whether no other motion lies within the bounds of this one as they are printed.
+/// Whether no other motion lies within the printed bounds of this one.
 ///
-/// `is_searched` says that the others and the doubts are all there are; bounds are rounded to `shown` bits.
+/// `is_searched` says that no motions exist besides the others and the doubts; bounds are rounded to `shown` bits.
 fn is_unique<'m>(
     motion: &'m Motion,
     all: impl Iterator<Item = &'m Motion>,
@@ -259,12 +259,12 @@ impl Bounds {
         may(&self.left, &other.left) && may(&self.right, &other.right) && !self.speed.is_apart_from(&other.speed)
     }
 
-    /// Returns whether a spacing may be one of these, modulo `2 pi`.
+    /// Whether this spacing may be within the bounds, modulo `2 pi`.
     fn may_have(&self, spacing: &Real) -> bool {
         !self.spacing.sin().is_apart_from(&spacing.sin()) && !self.spacing.cos().is_apart_from(&spacing.cos())
     }
 
-    /// Returns whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if that is not decided.
+    /// Whether a symmetric motion is the only one in its bounds for its `d/A`; `None` if undecided.
     fn is_alone(&self, parameters: &Parameters) -> Option<bool> {
         let Parameters { cycles, ratio, restitution, .. } = parameters;
         // No other number of forcing periods on the way: p = (g - sin th0 + sin th1)/c (57).
@@ -283,7 +283,7 @@ impl Bounds {
     }
 }
 
-/// Returns whether phases and speed have N digits.
+/// Whether phases and speed have `digits` digits.
 fn is_narrow(motion: &Motion, digits: u32) -> bool {
     let power = BigRational::new(1.into(), BigInt::from(10).pow(digits));
     let unit = Enclosure::from_rational(&power, 64).inf().clone();

@@ -43,7 +43,7 @@ impl Spectrum {
     }
 }
 
-/// Returns the stability, from the square of the trace and from `bound`, the square of 1 plus the determinant.
+/// Stability, from the square of the trace and from `bound`, the square of 1 plus the determinant.
 fn stability(trace: &Real, bound: &Real, e: &Real) -> Stability {
     let is_elastic = (e - 1).sign() == Some(Ordering::Equal);
     match (trace - bound).sign() {

@@ -62,8 +62,8 @@ fn the_graze_meets_the_pitchfork_at_the_known_restitution() {
     assert_eq!(excess("0.08670091502"), Some(Ordering::Greater));
 }
 
-/// The gap that (57) asks for when (62), (63) hold with `th1 - th0 = N pi + 2 eps`, in plain floating point, by W1: `th0` from the
-/// condition (63), which is linear in `cos m` and `sin m`.
+/// The gap of (57) where (62), (63) hold with `th1 - th0 = N pi + 2 eps`, in plain floating point, by W1: `th0` from the condition (63), which is
+/// linear in `cos m` and `sin m`.
 fn gap_at(eps: f64, e: f64, cycles: u32) -> f64 {
     let n = f64::from(cycles);
     let delta = n * PI / 2.0 + eps;

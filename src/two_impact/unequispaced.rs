@@ -42,7 +42,7 @@ impl Piece {
         self.cycles % 2 == 1
     }
 
-    /// Returns whether `sigma = sign(s k)` is 1.
+    /// Whether `sigma = sign(s k)` is 1.
     fn sigma(self) -> bool {
         (self.cycles + self.quarter).is_multiple_of(2)
     }
@@ -55,14 +55,14 @@ impl Piece {
         matches!(self.quarter % 4, 0 | 3)
     }
 
-    /// Returns whether `s = sin(N pi/2 + eps)` is positive.
+    /// Whether `s = sin(N pi/2 + eps)` is positive.
     fn s_is_positive(self) -> bool {
         let of_eps = if self.is_odd() { self.cosine_is_positive() } else { self.sine_is_positive() };
         // sin(N pi/2) for N odd, cos(N pi/2) for N even.
         of_eps == (self.cycles % 4 < 2)
     }
 
-    /// Returns whether `k = 0` at the beginning of the piece (`end` 0) or at its end (`end` 1), a multiple of `pi/2`.
+    /// Whether `k = 0` at the beginning of the piece (`end` 0) or at its end (`end` 1), a multiple of `pi/2`.
     fn k_vanishes(self, end: u32) -> bool {
         // k is +-sin eps for N odd, +-cos eps for N even.
         (self.quarter + end).is_multiple_of(2) == self.is_odd()
@@ -79,8 +79,8 @@ impl<'p> Spacing<'p> {
         Self { parameters, lambda, room }
     }
 
-    /// Returns all motions that are not equispaced, mirror images included, and the parts of `th1 - th0` that are not decided: all
-    /// that is left when the watch stops it.
+    /// All motions that are not equispaced, mirror images included, and the undecided parts of `th1 - th0`: all remaining ones when the watch
+    /// stops the search.
     pub fn solve(&self, watch: &dyn Watch) -> (Vec<Motion>, Vec<Real>) {
         let (mut motions, mut doubts) = (Vec::new(), Vec::new());
         let cycles = self.parameters.cycles;
@@ -101,7 +101,7 @@ impl<'p> Spacing<'p> {
         (motions, doubts)
     }
 
-    /// Returns whether there is none with `th1 - th0` within `2 reach` of `N pi`, N odd, but for that one.
+    /// Whether the equispaced motion is the only one with `th1 - th0` within `2 reach` of `N pi`, N odd.
     pub fn is_alone(&self, reach: &Real) -> bool {
         let eps = Real::int(0, reach.bits()).hull(reach);
         let piece = Piece { cycles: self.parameters.cycles, quarter: 0 };

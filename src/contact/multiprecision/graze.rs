@@ -15,7 +15,7 @@ use crate::flight::Flight;
 use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
 
-/// Ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
+/// Greatest number of ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
 const MOST_STEPS: u32 = 8;
 
 /// A graze that was passed, and where to go on from.

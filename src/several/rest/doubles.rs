@@ -7,7 +7,7 @@ use super::{Unproved, Zero};
 use crate::exact::Enclosure;
 use crate::pair::Wall;
 
-/// Returns `found` as it is: without multiprecision an undecided release stays undecided.
+/// Gives back `found`: without multiprecision an undecided release stays undecided.
 pub(super) fn decided(
     found: Result<Zero, Unproved>,
     _: &Arc<Spectrum>,

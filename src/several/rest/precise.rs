@@ -10,10 +10,10 @@ use crate::exact::Enclosure;
 use crate::number::{Magnitude, MpBall, Number};
 use crate::pair::Wall;
 
-/// Bits that are tried to tell a change of sign from a touch.
+/// Bits that are tried to distinguish a change of sign from a touch.
 const BITS: [u32; 3] = [128, 512, 2048];
 
-/// Returns the zero, where doubles leave it open in more bits.
+/// Decides the zero in more bits, where doubles leave it undecided.
 pub(super) fn decided(
     found: Result<Zero, Unproved>,
     spectrum: &Arc<Spectrum>,
@@ -31,13 +31,13 @@ pub(super) fn decided(
     })
 }
 
-/// Encloses the phase of a release in as many bits.
+/// Encloses the phase of a release in `bits` bits.
 pub(super) fn enclosure(zero: &Zero, bits: u32) -> Option<Enclosure> {
     zero.refined(bits).enclosure()
 }
 
 impl Zero {
-    /// Encloses the phase of the release in as many bits.
+    /// Encloses the phase of the release in `bits` bits.
     pub fn refined(&self, bits: u32) -> MpBall {
         let near = MpBall::from_f64_bits(self.near, bits);
         let limit = MpBall::from_ball(self.phase());

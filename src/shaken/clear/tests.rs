@@ -1,7 +1,7 @@
 //! Lemma C7: no flight of the set touches a wall before the time that is returned, and a lone flight not long after it.
 //!
-//! The truth is another theorem's: the first contact of a member by the closed form of [`crate::contact`], of several harmonics by
-//! the scan of [`crate::several`].
+//! The truth comes from another theorem: the first contact of a member by the closed form of [`crate::contact`], with several harmonics by the
+//! scan of [`crate::several`].
 
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ fn shaken(amplitudes: &[f64], restitution: f64) -> Either {
     Either::new(&pair, &clock).unwrap()
 }
 
-/// The first contact of a member after its start, in forcing periods from below, and the time that is clear of the set.
+/// First contact of a member after its start, in forcing periods from below, and the time up to which the set is clear.
 fn of<S: Flying>(shaken: &Arc<S>, member: &Launch<Ball>, all: &Launch<Ball>) -> Option<(f64, f64)> {
     let (contact, _) = shaken.first_contact(member.clone(), None).ok()?;
     let Since { whole, rest } = clear(&**shaken, all);

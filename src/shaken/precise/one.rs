@@ -10,7 +10,7 @@ use crate::several::FlightNumber;
 use crate::shaken::OneHarmonic;
 
 impl OneHarmonic {
-    /// Returns whether no parameter is an interval of values.
+    /// Whether no parameter is an interval of values.
     pub fn is_point(&self) -> bool {
         [&self.exact.alpha, &self.exact.restitution].iter().all(|x| x.is_point())
     }

@@ -12,7 +12,7 @@ use crate::shaken::{SeveralHarmonics, Sum};
 
 /// The first contacts of a set: one for each flight, near a time.
 pub(super) struct Isolated {
-    /// Encloses them in doubles.
+    /// Encloses the contacts in doubles.
     pub contact: Contact<Ball>,
     /// `y''` at the start and at the contact.
     pub accelerations: [Ball; 2],
@@ -23,7 +23,7 @@ pub(super) struct Isolated {
 }
 
 impl Isolated {
-    /// Returns the contacts `found`, of flights that start in these phases with this acceleration.
+    /// The contacts `found`, of flights that start in these phases with this acceleration.
     fn new<N: FlightNumber>(found: &Found<N>, rest: Float, time: Ball, phase: Ball, acceleration: Ball) -> Self {
         let near = MpBall::new(rest.clone(), Magnitude::new(found.reach, 0)).to_ball();
         Self {
@@ -67,7 +67,7 @@ impl Isolated {
         }
     }
 
-    /// Returns the contacts of flights of the set, evaluated near a time: the phase, its error, and the velocity there (Lemma M3).
+    /// Contacts of flights of the set, evaluated near a time: the phase, its error, and the velocity there (Lemma M3).
     pub fn evaluated_near(
         &self,
         flight: &SumFlight<'_, MpBall>,
@@ -85,7 +85,7 @@ impl Isolated {
 }
 
 impl SeveralHarmonics {
-    /// Isolates the first contacts of all, in doubles if they suffice, and finds that of the centre to N bits.
+    /// Isolates the first contacts of the set, in doubles if they suffice, and refines the centre's contact to `bits` bits.
     pub(super) fn isolated(
         &self,
         sum: &Sum<MpBall>,

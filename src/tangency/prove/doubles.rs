@@ -4,7 +4,7 @@ use super::super::begin::InDoubles;
 use super::super::proof::Proof;
 use super::Request;
 
-/// Returns no proof: none is in more bits.
+/// No proof: this build has no more bits.
 pub(super) fn proof(_: &InDoubles, _: &Request, _: impl Fn(&Proof) -> bool) -> Option<Proof> {
     None
 }

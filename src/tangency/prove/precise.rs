@@ -7,7 +7,7 @@ use crate::exact::Exact;
 use crate::number::MpBall;
 use crate::periodic::krawczyk::{Effort, polish, prove};
 
-/// Returns a proof that is as narrow as requested, in as few bits as suffice.
+/// Proof that is as narrow as requested, in as few bits as suffice.
 pub(super) fn proof(found: &InDoubles, request: &Request, is_narrow: impl Fn(&Proof) -> bool) -> Option<Proof> {
     let Request { other, precision, .. } = request;
     let mut bits = 128 + (f64::from(precision.digits) * 3.33) as u32; // proposes
@@ -21,7 +21,7 @@ pub(super) fn proof(found: &InDoubles, request: &Request, is_narrow: impl Fn(&Pr
 }
 
 impl InDoubles {
-    /// Returns the properties that follow from the zero in more bits.
+    /// Properties that follow from the zero in more bits.
     fn precisely(&self, other: &Exact, bits: u32) -> Option<Proof> {
         let other = MpBall::enclosing(&other.enclose(bits), bits);
         let error = (24.0 - f64::from(bits)).exp2(); // proposes
