@@ -70,7 +70,7 @@ impl ImpactMap {
     /// The impact map of a pair; parameters that are intervals are varied over all their values.
     ///
     /// # Errors
-    /// Returns an error if a parameter is beyond what exact expressions or doubles hold.
+    /// If a parameter is beyond the range of exact expressions or doubles.
     pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
         let clock = Clock::new(pair, &Exact::from(0), 0)?;
         Ok(Self { shaken: Either::new(pair, &clock)? })
@@ -79,8 +79,7 @@ impl ImpactMap {
     /// Box of all states on a wall with these phases and velocities before the impact.
     ///
     /// # Errors
-    /// Returns an error if a phase lies outside `[-1, 1]`, or if a velocity is not towards the wall: at most 0 on the left, at least 0 on the
-    /// right.
+    /// If a phase lies outside `[-1, 1]`, or if a velocity is not towards the wall: at most 0 on the left, at least 0 on the right.
     pub fn states(&self, wall: Wall, phase: Ball, velocity: Ball) -> Result<States, Error> {
         // exact: it refuses what is not promised
         if !(0.0..=1.0).contains(&phase.mag()) {

@@ -65,7 +65,7 @@ impl Reduced<Exact> {
     /// Encloses the parameters in double precision.
     ///
     /// # Errors
-    /// Returns an error if `A/d` is beyond `2^400`.
+    /// If `A/d` is beyond `2^400`.
     pub fn enclosed(&self) -> Result<Reduced<Ball>, Error> {
         let (alpha, beta) = (ball(RATIO, &self.alpha)?, ball(RATIO, &self.beta)?);
         Ok(Reduced { alpha, beta, restitution: ball("pair.restitution", &self.restitution)? })
@@ -128,7 +128,7 @@ impl Reduced<Ball> {
 /// A ball around an exact value without units.
 ///
 /// # Errors
-/// Returns an error if the value is too large for the arithmetic of a flight.
+/// If the value is too large for the arithmetic of a flight.
 pub(crate) fn ball(key: &'static str, value: &Exact) -> Result<Ball, Error> {
     let ball = Ball::of(value);
     if ball.mid().abs() + ball.rad() <= LARGEST_RATE { Ok(ball) } else { Err(too_large(key, value)) }

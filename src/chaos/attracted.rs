@@ -224,7 +224,7 @@ impl Round {
 
 /// A period of a stable orbit, for all `D` and `e` of a law.
 pub(super) struct StablePeriod {
-    /// Its word, from some impact on.
+    /// Word of the period, from some impact on.
     pub word: Word,
     /// The forcing periods that it takes.
     pub cycles: u32,

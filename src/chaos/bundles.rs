@@ -78,7 +78,7 @@ impl AttractorOrbit {
         distinct(with_gap_toggled.into_iter().chain(improved))
     }
 
-    /// The same place with one gap more that parts it, or one less.
+    /// Bundles of a place with one separating gap more, or one less.
     pub(super) fn with_gap_toggled(&self, guess: &Guess, bundle: &Bundle, impacts: usize) -> Vec<Bundle> {
         let sight = WordObservation { orbit: Indexed::new(self), guess, impacts };
         bundle.place.with_gap_toggled().into_iter().filter_map(|place| sight.at(place)).collect()

@@ -61,10 +61,10 @@ pub(crate) struct Landing<const M: usize = 1> {
     slope: Ball,
     /// The change of phase, and the change of speed at a fixed phase, by side and by parameter.
     along: [[Ball; 2]; 2],
-    /// The same for a unit of phase, and of speed.
+    /// Changes of phase, and of speed at a fixed phase, for a unit of phase, and of speed.
     units: [[Ball; 2]; 2],
     parameters: [[Ball; 2]; M],
-    /// Bounds of the same for twist and slack, and for `D` if it is no direction.
+    /// Bounds of these changes for twist and slack, and for `D` if it is no direction.
     rest: [f64; 2],
 }
 

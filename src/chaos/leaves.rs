@@ -128,14 +128,14 @@ impl<'s> Window<'s> {
         self.in_coordinates([phase - phase.round(), w - self.centre[1]])
     }
 
-    /// The same with the slope of its leaf.
+    /// Place of a point of the orbit, with the slope of its leaf.
     fn point(&self, number: usize) -> [f64; 3] {
         let [xi, eta] = self.place(number);
         let [run, rise] = self.in_coordinates(self.seen.points[number].1);
         [xi, eta, rise / run]
     }
 
-    /// The points in reach that are not as far along the leaf.
+    /// Points in reach that are less far along the leaf than `far`.
     fn central(&self, far: f64) -> &[(usize, [f64; 3])] {
         let first = self.near.partition_point(|(_, at)| at[0] <= -far);
         &self.near[first..first + self.near[first..].partition_point(|(_, at)| at[0] < far)]

@@ -321,8 +321,8 @@ fn a_saddle_is_distinguished_from_an_attractor() {
     assert!(chaos.entropy() > 0.0 && chaos.asymptotics().region.is_none_or(|region| !region.holds_bases));
 }
 
-/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. No
-/// chain of boxes but the finest leads there, nor does any in an h-set that is moved off the leaves.
+/// A = 0.498 d, where four impacts expand by half only: two words of 16 impacts in an h-set, so entropy (log 2)/16, and none of fewer. Only the
+/// finest cell chain leads there, and none does in an h-set that is moved off the leaves.
 #[test]
 fn slow_expansion_is_proved_by_fine_chains_of_boxes() {
     let scene = Scene::parse(include_str!("../../validation/paper/scenes/chaos-0.498.toml")).unwrap();

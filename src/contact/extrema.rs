@@ -14,7 +14,7 @@ use crate::pair::Wall;
 pub(crate) struct Extrema {
     /// The critical phase `acos(q) / (2 pi)`, in `[0, 1/2]`.
     pub p: f64,
-    /// Its sine, from `q` (coarse) or of the computed `p` (refined).
+    /// Sine of the critical phase, from `q` (coarse) or from the computed `p` (refined).
     pub sine: f64,
     /// True if the ball rises right after the start.
     pub rising: bool,

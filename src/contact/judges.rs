@@ -65,7 +65,7 @@ pub(crate) struct SetContact {
     pub all: Contact<Ball>,
     /// Encloses the phase on arrival of the flight from the centre.
     pub phase: Ball,
-    /// Its velocity at the middle of that phase, but for the radius; elsewhere the slope times the distance is added.
+    /// Velocity of that flight at the middle of its phase, but for the radius; elsewhere the slope times the distance is added.
     pub velocity: Ball,
     /// `dv/du` on arrival: the acceleration, over the bracket.
     pub slope: Ball,

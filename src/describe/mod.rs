@@ -55,16 +55,16 @@ enum Region {
     Proved(Trap),
     /// None is proved, for this reason.
     Unproved(String),
-    /// It was not looked for, for this reason.
+    /// The region was not looked for, for this reason.
     NotExamined(String),
 }
 
 /// The result of the search for a horseshoe.
 #[derive(Debug)]
 enum Horseshoe {
-    /// Its words, which may prove no entropy.
+    /// Chaos with the horseshoe's words, which may prove no entropy.
     Searched(Box<Chaos>),
-    /// It was not looked for, for this reason.
+    /// The horseshoe was not looked for, for this reason.
     NotExamined(String),
 }
 

@@ -48,7 +48,7 @@ impl Arrivals {
     /// The impact map of a pair, with states and bounds as doubles.
     ///
     /// # Errors
-    /// Returns an error if a value is beyond the range of double-precision flights.
+    /// If a value is beyond the range of double-precision flights.
     pub fn new(pair: &ImpactPair) -> Result<Self, Error> {
         let zero = Exact::from(0);
         let clock = Clock::new(pair, &zero, f64::MANTISSA_DIGITS)?;
@@ -63,7 +63,7 @@ impl Arrivals {
     /// **Undecided when** doubles do not decide the contact, and where the ball comes to rest instead.
     ///
     /// # Errors
-    /// Returns an error if a number is not finite or beyond the range that is counted, or if the velocity does not point at the wall.
+    /// If a number is not finite or beyond the accepted range, or if the velocity does not point at the wall.
     pub fn next(&self, wall: Wall, time: f64, velocity: f64) -> Result<Result<Arrival, Undecided>, Error> {
         let refused = |key: &str, value: f64, accepted: &str| {
             Error::out_of_range(key, format!("{key} is {value}, but {accepted}"))

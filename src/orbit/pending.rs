@@ -18,7 +18,7 @@ use crate::pair::{Inward, Wall};
 use crate::shaken::{Origin, Released, Still};
 use crate::turns;
 
-/// Half of the least width, in gap widths, with which the bounds of a graze's distance are printed: a fourth of the width that `check` allows.
+/// Greatest half width, in gap widths, to which narrower bounds of a graze's distance are widened: a fourth of the width that `check` allows.
 const MOST_SHOWN: f64 = 1e-6 / 8.0;
 
 /// State of an orbit apart from flights: rests, releases, repetitions, and the end of the list.
@@ -198,8 +198,7 @@ impl Orbit {
         })
     }
 
-    /// Returns whether infinitely many impacts follow for each member: none stays on its wall at once, by `e = 0` or a start without
-    /// velocity. Lemma Z1
+    /// Whether infinitely many impacts follow for each member: none is held on its wall at once, by `e = 0` or a start without velocity. Lemma Z1
     fn bounces(&self) -> bool {
         let is_impact = self.cursor.index > self.followed.from.index;
         let moves = |velocity: Ball| velocity.certain_sign().is_some_and(Ordering::is_ne);

@@ -293,7 +293,7 @@ impl Problem {
         Some(Attractor { word, cycles, orbit, from, factor: basin.factor() })
     }
 
-    /// The same orbit to the digits requested.
+    /// Proves the orbit to the requested digits.
     fn prove_from(&self, near: &PeriodicOrbit, digits: u32) -> Option<PeriodicOrbit> {
         let guess: Vec<f64> = near.phases().iter().map(|phase| phase.mid()).collect();
         let orbit = self.prove(&guess, Precision { digits, max_bits: BITS })?;

@@ -25,9 +25,9 @@ pub struct MeasuredOrbit {
     pub times: Option<u32>,
     /// The trace of the Jacobian (A.7) over a period.
     pub trace: Enclosure,
-    /// Its determinant, `e^(2k)` after `k` impacts.
+    /// Determinant of this Jacobian, `e^(2k)` after `k` impacts.
     pub determinant: Enclosure,
-    /// Its eigenvalues (38).
+    /// Eigenvalues of this Jacobian (38).
     pub eigenvalues: [Eigenvalue; 2],
     /// Stability.
     pub stability: Stability,

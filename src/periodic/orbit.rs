@@ -51,7 +51,7 @@ pub struct PeriodicOrbit {
     pub repeats: Option<usize>,
     /// Trace of the product of the Jacobians (A.7) over the period.
     pub trace: Enclosure,
-    /// Its determinant, `e^(2k)` (Lemma T4).
+    /// Determinant of that product, `e^(2k)` (Lemma T4).
     pub determinant: Enclosure,
     /// The eigenvalues, the one of larger modulus first. **Equation** (38)
     pub eigenvalues: [Eigenvalue; 2],
@@ -96,11 +96,11 @@ impl PeriodicOrbit {
 pub struct Finding<N> {
     /// The enclosures of the phases, and the box in which there is no other orbit.
     pub proved: Proved<N>,
-    /// Its flights: flight `i` goes from impact `i` to the next one.
+    /// Flights of the orbit: flight `i` goes from impact `i` to the next one.
     pub legs: Vec<Leg<N>>,
     /// The product of the Jacobians (A.7) over the period.
     pub monodromy: [[N; 2]; 2],
-    /// Its trace and determinant.
+    /// Trace of the product.
     pub trace: N,
     /// See [`determinant`].
     pub determinant: N,

@@ -7,7 +7,7 @@ use super::entries::Entries;
 /// An approximate inverse.
 #[derive(Clone, Debug)]
 pub struct Preconditioner {
-    /// Its columns are the rows.
+    /// The transpose of the inverse: its columns are the inverse's rows.
     transposed: DMatrix<f64>,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Partial<N: PhaseNumber> {
     pub acceleration: N,
     /// `W_k / W`
     pub ratio: N,
-    /// Its phase at whole forcing periods.
+    /// Phase of the harmonic at whole forcing periods.
     pub counter: N::Counter,
 }
 

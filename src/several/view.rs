@@ -48,19 +48,19 @@ struct Cubic {
 }
 
 impl Cubic {
-    /// Its value, to nearest.
+    /// Value of the cubic, to nearest.
     #[inline]
     fn value(&self, s: f64) -> f64 {
         ((-self.third * s * (1.0 / 6.0) + 0.5 * self.bend) * s + self.rate) * s + self.room
     }
 
-    /// Its slope, to nearest.
+    /// Slope of the cubic, to nearest.
     #[inline]
     fn slope(&self, s: f64) -> f64 {
         (-0.5 * self.third * s + self.bend) * s + self.rate
     }
 
-    /// A lower bound of its value.
+    /// A lower bound of the cubic's value.
     #[inline]
     fn least(&self, s: f64) -> f64 {
         let size = self.room.abs() + s * (self.rate.abs() + s * (self.bend.abs() + s * self.third));

@@ -32,7 +32,7 @@ pub(crate) struct Since {
 impl Since {
     const START: Self = Self { whole: 0.0, rest: 0.0 };
 
-    /// The same time with the rest below 1.
+    /// The time with its rest reduced below 1.
     fn carried(self) -> Self {
         let over = self.rest.floor(); // exact: whole forcing periods are moved to their count
         Self { whole: self.whole + over, rest: self.rest - over } // N1: exact below 2^52

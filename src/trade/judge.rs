@@ -1,9 +1,9 @@
 //! Comparison of a non-rigorous orbit with a certified one, impact by impact.
 //!
-//! An error is enclosed by the least and the greatest distance to the enclosure of the true value.
-//! It exceeds a threshold if the least does, and is within it if the greatest is. Impacts are matched by
-//! their number as long as all walls agree; after the first wall that disagrees, the orbit has departed from the true word and is not compared further.
-//! Nor is it after a complete chatter: how many of its impacts are listed is a matter of digits.
+//! An error is enclosed by the least and the greatest distance to the enclosure of the true value. An error exceeds a threshold if the least
+//! distance does, and is within the threshold if the greatest distance is. Impacts are matched by their number as long as all walls agree. After
+//! the first wall that disagrees, the orbit has departed from the true word and is not compared further. After a complete chatter the comparison
+//! ends as well: how many of its impacts are listed depends on the digits.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,4 @@
-//! The exact data of a problem, and the motions for them at N bits.
+//! The exact data of a problem, and the motions for them at a given number of bits.
 
 use std::cmp::Ordering;
 

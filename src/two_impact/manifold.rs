@@ -99,7 +99,7 @@ pub struct Manifold {
 /// The data of the curves: `d` and `e` of a pair, and the range.
 #[derive(Clone, Debug)]
 pub struct Range<'p> {
-    /// Its amplitude is not used; its frequency only over v.
+    /// Pair: its amplitude is not used; its frequency is used only over v.
     pub pair: &'p ImpactPair,
     /// `|v|`; not used over v.
     pub speed: Exact,
@@ -233,7 +233,7 @@ impl Range<'_> {
         Ok(())
     }
 
-    /// Returns whether `x` falls along the axis.
+    /// Whether `x` falls along the axis.
     fn runs_down(&self) -> bool {
         self.axis == Axis::Velocity(Wall::Right)
     }

@@ -32,14 +32,14 @@ pub(super) struct Followed {
 }
 
 impl Saddle {
-    /// The one that Newton's method leads to; `None` where it leads to none, or to one that attracts.
+    /// Saddle that Newton's method leads to from a seed; `None` where it leads to none, or to an orbit that attracts.
     fn near(guess: &Guess, seed: State, impacts: usize) -> Option<Self> {
         let [phase, speed] = *closed(guess, seed, impacts)?.first()?;
         let state = [phase + (seed[0] - phase).round(), speed];
         Some(Self { state, impacts, directions: directions(derivative(guess, state, impacts)?)? })
     }
 
-    /// The same at other values of the parameters.
+    /// The saddle at other values of the parameters.
     fn moved(&self, guess: &Guess) -> Option<Self> {
         let found = Self::near(guess, self.state, self.impacts)?;
         let along = |own: State, before: State| {
@@ -112,7 +112,7 @@ impl HSet {
         (1..=MAX_SADDLE_IMPACTS).find_map(of)
     }
 
-    /// The same h-set, wider by a factor.
+    /// The h-set, wider by a factor.
     pub(super) fn wider(&self, factor: f64) -> Self {
         let chord = |Chord { bottom, top }: Chord| {
             let end = |sign: f64| [0, 1].map(|i| 0.5 * (bottom[i] + top[i] + sign * factor * (top[i] - bottom[i])));
@@ -130,7 +130,7 @@ impl Followed {
         Some(Self { at: [law.gap.mid(), law.restitution.mid()], held })
     }
 
-    /// The same at the middle of other parameters; `None` where a saddle is lost on the way.
+    /// The h-sets at the middle of other parameters; `None` where a saddle is lost on the way.
     pub fn to(&self, law: &Law) -> Option<Self> {
         let end = [law.gap.mid(), law.restitution.mid()];
         let change = minus(end, self.at);

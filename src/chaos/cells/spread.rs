@@ -56,7 +56,7 @@ fn is_open(stretch: &Stretch) -> bool {
     stretch.verdict == Verdict::Undecided
 }
 
-/// The same, the last one first when downward.
+/// Parts in the order of a walk: the last one first when downward.
 fn in_order<const N: usize>(mut parts: [Stretch; N], is_upward: bool) -> [Stretch; N] {
     if !is_upward {
         parts.reverse();
@@ -74,7 +74,7 @@ fn joined(stretches: impl IntoIterator<Item = Result<Vec<Stretch>, Error>>) -> R
 }
 
 impl Work<'_> {
-    /// The same stretches, what is undecided in them tried by h-sets of their neighbours, and by those that are searched for within.
+    /// Tries the undecided stretches with h-sets of their neighbours, and with h-sets that are searched for within.
     pub(super) fn spread(&self, stretches: Vec<Stretch>) -> Result<Vec<Stretch>, Error> {
         let mut stretches = self.between(stretches)?;
         let searches = if self.requested.halvings < PART_HALVINGS[0] { 0 } else { MAX_SEARCHES }; // proposes: worth it only in narrow parts

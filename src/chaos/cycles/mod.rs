@@ -166,7 +166,7 @@ impl Cycles {
         self.undecided.push((impacts, Region { impacts: orbit.impacts.clone(), reason: Reason::Precision }));
     }
 
-    /// Returns whether an orbit is admissible and lies in the region; `None` if undecided.
+    /// Whether an orbit is admissible and lies in the region; `None` if undecided.
     fn is_counted(&self, task: &Task, found: &Found) -> Option<bool> {
         if !found.orbit.physical? {
             return Some(false);
@@ -236,7 +236,7 @@ impl Cycles {
         self.requested.clone().all(|impacts| self.fixed_points.contains_key(&(impacts as usize))) // exact: a small whole number
     }
 
-    /// Whether all that was asked is proved: no other cycles, and the stability of each cycle, to the requested width.
+    /// Whether everything requested is proved: no other cycles, and the stability of each cycle, to the requested width.
     pub fn is_certified(&self) -> bool {
         self.is_exhaustive() && self.cycles.iter().all(|cycle| cycle.orbit.is_decided() && cycle.orbit.is_narrow)
     }

@@ -18,7 +18,7 @@ pub(super) struct Leg {
     pub after: Interval,
     /// `b`, the speeds before the second one.
     pub before: Interval,
-    /// Both speeds between the two members.
+    /// Speeds after the first and before the second impact, between the two members.
     pub centre: [Interval; 2],
     /// Derivatives of the two speeds by the two phases.
     pub slopes: [[Interval; 2]; 2],

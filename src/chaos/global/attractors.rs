@@ -35,7 +35,7 @@ pub(super) fn within(
     among(&settled_orbits(law), (pair, law), components, is_open, precision)
 }
 
-/// The same of the cycles that are near some states.
+/// Proves the attracting cycles among these approximate cycles, each with the place of its component.
 fn among(
     cycles: &[Vec<State>],
     (pair, law): (&ImpactPair, &Law),

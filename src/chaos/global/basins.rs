@@ -12,9 +12,9 @@ use crate::chaos::trap::{Cell, Grid};
 pub enum BasinOutcome {
     /// All of them end in this component, an attractor.
     To(usize),
-    /// It is a part of this component, drawn over the others.
+    /// The part belongs to this component, drawn over the others.
     Within(usize),
-    /// It is not proved that all of them end in one attractor.
+    /// Not all of the motions are proved to end in one attractor.
     Undecided,
 }
 

@@ -33,9 +33,9 @@ impl Component {
 /// The next state, or a bound of it, of a ball that is released.
 #[derive(Clone, Debug)]
 pub(super) enum Release {
-    /// It rests again, and is released in the same state.
+    /// The ball rests again, and is released in the same state.
     Repeats,
-    /// It has its next impact, or one that it is proved to have later, at these phases, in forcing periods, with these speeds.
+    /// Phases, in forcing periods, and speeds of the ball's next impact, or of one that it is proved to have later.
     Lands([f64; 2], [f64; 2]),
 }
 

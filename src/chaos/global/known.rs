@@ -67,9 +67,9 @@ impl Kind {
 /// A periodic motion without rests, proved.
 #[derive(Clone, Debug)]
 pub struct LimitCycle {
-    /// Its least period under the reduced map.
+    /// Least period of the motion under the reduced map.
     pub impacts: usize,
-    /// Its word and period on both walls.
+    /// Word and period of the motion on both walls.
     pub problem: Problem,
     /// The orbit.
     pub orbit: PeriodicOrbit,

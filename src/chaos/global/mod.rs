@@ -138,7 +138,7 @@ pub enum Reason {
     Halvings,
     /// The work of the images.
     Work,
-    /// It was interrupted.
+    /// The analysis was interrupted.
     Interrupted,
 }
 

@@ -8,15 +8,15 @@ pub(super) const MOST_CELLS: usize = 1 << 18;
 pub enum LeftOut {
     /// The h-sets overlap as parallelograms.
     Overlap,
-    /// No strip of it is seen in floating point, or none beside the strips of shorter words.
+    /// No strip of the word is seen in floating point, or none beside the strips of shorter words.
     Strip,
-    /// A curve in the cones could meet a side of its strip twice.
+    /// A curve in the cones could meet a side of the word's strip twice.
     Leaning,
-    /// Its strip would be cut into too many cells.
+    /// The word's strip would be cut into too many cells.
     Cells,
     /// A smallest cell is not proved to map its cone into itself, and to expand.
     Cone,
-    /// No word of the set leads to its h-set, or from where it leads.
+    /// No word of the set leads to the word's first h-set, or from its last one.
     Return,
     /// The expansion of strings of words is not bounded.
     Strings,

@@ -53,9 +53,9 @@ pub struct Cone {
 
 /// A uniformly hyperbolic set of motions of a horseshoe: those of some of its words.
 ///
-/// **Enclosure**: on a compact set that the impact map keeps it is uniformly hyperbolic, and for each sequence of the words, without beginning and
-/// end, that fit together there is exactly one motion. Its entropy, the exponents of all its invariant measures and its Hausdorff
-/// dimension lie in the bounds. Lemmas D24-D28
+/// **Enclosure**: the set is uniformly hyperbolic on a compact invariant set of the impact map. For each bi-infinite sequence of words that fit
+/// together there is exactly one motion. The bounds hold the set's entropy, the exponents of all its invariant measures and its Hausdorff
+/// dimension. Lemmas D24-D28
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hyperbolic {
     /// The greatest slope of the cones, in the coordinates of an h-set, from -1 to 1 along and across it.
@@ -64,19 +64,19 @@ pub struct Hyperbolic {
     pub cells: usize,
     /// Cones of all expanding directions, of the cells whose image meets the h-set.
     pub cones: Vec<Cone>,
-    /// Its words, by their places among those of the horseshoe.
+    /// Words of the set, by their places among those of the horseshoe.
     pub words: Vec<usize>,
-    /// Their strips, in the same order: left and right side, each by its places at the bottom and at the top of its h-set, from -1 to 1.
+    /// Strips of the words, in order: left and right side, each by its places at the bottom and at the top of its h-set, from -1 to 1.
     pub strips: Vec<[[f64; 2]; 2]>,
-    /// The other words of the horseshoe, and why they are none of its.
+    /// The other words of the horseshoe, and the reasons why they are left out.
     pub left_out: Vec<(usize, LeftOut)>,
-    /// Bounds of its topological entropy, per impact and per forcing period.
+    /// Bounds of the topological entropy, per impact and per forcing period.
     pub entropy: [[f64; 2]; 2],
     /// Bounds of the greater exponent of every invariant measure, likewise.
     pub exponents: [[f64; 2]; 2],
     /// Bounds of the smaller exponent per impact.
     pub second: [f64; 2],
-    /// Bounds of its Hausdorff dimension.
+    /// Bounds of the Hausdorff dimension.
     pub dimension: [f64; 2],
 }
 

@@ -49,7 +49,7 @@ impl Sides {
         by.map_or(moved, |by| Self { area: self.area * by, ..moved }.split_along_first())
     }
 
-    /// The same vectors, with what the rest has along the first one counted to its part.
+    /// The vectors, with the component of `rest` along `first` added to `part`.
     fn split_along_first(self) -> Self {
         let [u, w] = self.first.map(Ball::mid);
         // D24: any vector

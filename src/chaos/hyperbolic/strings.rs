@@ -284,7 +284,7 @@ impl Cylinder {
 }
 
 impl Cell {
-    /// Its states at some heights; `None` if there are none. Lemma D28
+    /// States of the cell at some heights; `None` if there are none. Lemma D28
     fn between(self, heights: [f64; 2]) -> Option<Self> {
         let within = (spanned(heights) - Ball::exact(self.at[1])).checked_div(Ball::exact(self.radii[1]));
         within.map_or(Some(self), |within| self.part(1, within))

@@ -27,7 +27,7 @@ use columns::{Brackets, Departures, Flights, Iterates, LaneValue, Searches, Spre
 const LANES: usize = 16;
 /// Steps to a contact: two or three are usual.
 const STEPS: usize = 6;
-/// The time at which other lanes are looked at.
+/// Time at which lanes without a proposed hop are looked at first, in forcing periods.
 const FIRST_TIME: f64 = 0.0625;
 
 /// Flights of one pair that are solved together.

@@ -42,7 +42,7 @@ pub enum End {
     Closed,
     /// The branch breaks off before the range ends.
     Lost,
-    /// It was not followed further, at the caller's request.
+    /// The branch was not followed further, at the caller's request.
     Interrupted,
 }
 
@@ -57,7 +57,7 @@ pub struct Branch {
     pub symmetric: bool,
     /// Approximate least and greatest value along the branch, in the units of [`Point::parameter`].
     pub range: [f64; 2],
-    /// Its ends.
+    /// Ends of the branch.
     pub ends: [End; 2],
     /// `true` if it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
     pub is_proved: bool,

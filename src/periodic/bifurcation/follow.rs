@@ -10,7 +10,7 @@ use crate::watch::Watch;
 /// An event on a branch.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Change {
-    /// It turns back: an eigenvalue 1.
+    /// The branch turns back: an eigenvalue is 1.
     Turn,
     /// An eigenvalue of the ring is -1.
     Flip,
@@ -20,7 +20,7 @@ pub(super) enum Change {
     Vanish(usize),
     /// For `e = 0` an impact after which the contact force ends; beyond, the ball would rest.
     Release(usize),
-    /// It meets the branch of its half: an eigenvalue -1 of that.
+    /// The branch meets the branch of its half: an eigenvalue of the half is -1.
     Join,
 }
 
@@ -29,9 +29,9 @@ pub(super) enum Change {
 pub(super) enum Stop {
     /// The parameter leaves its range.
     Range,
-    /// It ends there: the last change is its end.
+    /// The branch ends: the last change is its end.
     Change,
-    /// It is back at its start.
+    /// The branch is back at its start.
     Loop,
     /// Newton's iteration or the budget gives out.
     Lost,

@@ -126,7 +126,7 @@ impl Parameter {
         within(self.place(), value, ratio())
     }
 
-    /// Encloses the parameter, given a ball of the quantity without units, and gives the pair with it.
+    /// Encloses the parameter, given bounds of the quantity without units, and gives the pair with it.
     ///
     /// # Errors
     /// If the value exceeds the range of exact expressions, or is not in the parameter's range.

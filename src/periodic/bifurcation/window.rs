@@ -42,11 +42,11 @@ pub enum NoWindow {
     Value,
     /// The orbit is not proved.
     Orbit,
-    /// It is not proved to be stable.
+    /// The orbit is not proved to be stable.
     Stability,
     /// A flight has an earlier contact.
     Virtual,
-    /// It is not proved that its impacts are those of one least period.
+    /// The orbit's impacts are not proved to be those of one least period.
     Period,
 }
 

@@ -18,9 +18,9 @@ type Segments = BTreeMap<i64, Vec<Part>>;
 
 /// A letter that a segment grows by.
 struct Letter {
-    /// Its impact, the new end.
+    /// Impact of the letter, the new end.
     end: usize,
-    /// The flights and impacts that are cut anew.
+    /// Flights and impacts that are cut anew.
     stretch: Stretch,
     /// All impacts of the segment but the first one.
     held: Range<usize>,
