@@ -1,4 +1,4 @@
-//! Words as they are written, and two of them that follow one another in any order: Lemma D9 of `docs/proofs/chaos.md#D9`.
+//! Words as they are written, and two blocks that follow one another in any order: Lemma D9 of `docs/proofs/chaos.md#D9`.
 
 use super::words::Path;
 use crate::mapping::Mapping;

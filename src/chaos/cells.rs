@@ -147,7 +147,7 @@ impl Stretch {
 /// to prove that orbit, as often as the cell is halved.
 #[derive(Clone, Debug)]
 pub struct Cells {
-    /// The stretches, each with what is proved of its values.
+    /// The stretches, each with its verdict.
     pub stretches: Vec<Stretch>,
     /// `true` if it was stopped; what was not looked at is undecided.
     pub interrupted: bool,

@@ -350,7 +350,7 @@ impl<const M: usize> Landing<M> {
         self.projected([n, m], point, from)
     }
 
-    /// `from` makes of what a parameter changes `n x` by what it changes `n (x - p)` by.
+    /// Holds `n (x - p)` for all images; `from` turns a parameter's change of `n x` into its change of `n (x - p)`.
     fn projected(&self, [n, m]: [Ball; 2], point: [Ball; 2], from: impl Fn(usize, Ball) -> Ball) -> Ball {
         let centre = n * (self.phase - point[0]) + m * (self.speed - point[1]);
         let sheared = n + m * self.slope;

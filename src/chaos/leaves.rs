@@ -66,14 +66,14 @@ pub(super) struct Leaves {
     widest: Vec<usize>,
 }
 
-/// The heights of some leaves in the midst, and how far it is to others below and above.
+/// Heights and slope of some neighbouring leaves in the middle, and the distances to the leaves below and above.
 struct Bunch {
     heights: [f64; 2],
     slope: f64,
     free: [f64; 2],
 }
 
-/// The means of two numbers that are made of each.
+/// Means of the two numbers that `of` gives for each element.
 fn means<T>(all: &[T], of: impl Fn(&T) -> [f64; 2]) -> [f64; 2] {
     let sums = all.iter().map(of).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
     sums.map(|sum| sum / all.len() as f64)

@@ -170,7 +170,7 @@ impl<'s> Search<'s> {
             sides.push(*side);
             for stretch in proved_stretches(parts, &proved, &mut used) {
                 let (low, high) = (parts[*stretch.start()].place, parts[*stretch.end()].place);
-                // Lemma D7: the ends of the stretch land before the one and behind the other.
+                // Lemma D7: the ends of the stretch land before `low` and behind `high`.
                 let (low, high) = (low + NEIGHBOUR_CELLS + 2, high.saturating_sub(NEIGHBOUR_CELLS + 1)); // D7: none if it is shorter
                 if low < high {
                     self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);

@@ -104,7 +104,7 @@ struct Requested {
     until: Option<Phase>,
     /// Requested widths: of phases in forcing periods, and of velocities in gap widths per forcing period.
     widths: [Width; 2],
-    /// Bits of what is printed beyond doubles.
+    /// Bits of bounds that are printed with more than doubles.
     shown: u32,
     /// No interval among the pair and the start.
     is_point: bool,
@@ -151,7 +151,7 @@ pub(super) struct Cursor {
     height: Option<Ball>,
     turns: i64,
     phase: Ball,
-    /// Before the impact; inside the gap that of the flight.
+    /// Velocity before the impact; inside the gap the velocity of the flight.
     velocity: Ball,
 }
 

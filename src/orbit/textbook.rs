@@ -1,4 +1,4 @@
-//! The textbook method, one impact after another: plain interval arithmetic, as a measure for what is cleverer.
+//! The textbook method, one impact after another: plain interval arithmetic, as a reference for the other methods.
 //!
 //! Flights are solved by [`crate::contact::textbook`]. The set of states is a box: its image is that of the centre and
 //! the Jacobian (A.7) over the box times the box around the centre (Lemma S1), cut with the contacts of the whole box. A

@@ -15,14 +15,14 @@ pub struct Region {
 /// The orbits of a word that are proved, and whether they are all.
 #[derive(Clone, Debug, Default)]
 pub struct Census {
-    /// Each once, in the order of their first phases.
+    /// Proved orbits, each once, in the order of their first phases.
     pub orbits: Vec<PeriodicOrbit>,
     /// `true` if it is proved that the word has no other admissible orbit in the whole state space (Lemma T9), apart from motions with
     /// sticking (Lemma T12).
     pub exhaustive: bool,
-    /// The other parts of the state space where orbits may be, if all of them were requested.
+    /// Parts of the state space where other orbits may be, if all orbits were requested.
     pub undecided: Vec<Region>,
-    /// `true` if all of them were requested.
+    /// `true` if all orbits were requested.
     pub is_search: bool,
     /// Proved: orbits come in a family, none of them isolated (Lemma T11), which is listed as undecided.
     pub is_family: bool,

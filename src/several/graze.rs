@@ -13,7 +13,7 @@ use crate::flight::Launch;
 use crate::number::{Ball, Magnitude, MpBall, Number, is_positive};
 use crate::pair::Wall;
 
-/// Ways on from a touch that are tried, each half as long as the one before: the first is half of what a third derivative allows.
+/// Greatest number of steps past a touch that are tried, each half of the one before; the first is half of the step that `z'''` allows.
 const MOST_STEPS: u32 = 8;
 
 /// Goes past the first extremum of the flights of a set that may touch its wall; `None` where that is not proved.

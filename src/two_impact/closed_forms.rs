@@ -23,7 +23,7 @@ use crate::exact::Real;
 /// `|v|/(A W) = (cos th0 - cos th1)/(1 - e)`, from a left impact to a right one; `None` if e may be 1. **Equation** (62)
 ///
 /// # Departs from the paper
-/// Its left side is `v_i`.
+/// The paper's left side is `v_i`.
 pub fn speed_between(theta0: &Real, theta1: &Real, e: &Real) -> Option<Real> {
     (theta0.cos() - theta1.cos()).over(&(Real::int(1, e.bits()) - e))
 }

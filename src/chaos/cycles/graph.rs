@@ -18,7 +18,7 @@ pub(super) struct Graph {
     cells: Vec<Cell>,
     next: Links,
     previous: Links,
-    /// Each box is in one of them; those with the fastest impacts first.
+    /// Blocks of boxes, those with the fastest impacts first; each box is in one block.
     pub blocks: Vec<Vec<u32>>,
     /// The block of each box.
     block: Vec<usize>,

@@ -36,7 +36,7 @@ use search::{Found, Search, Task};
 /// A cycle of the reduced map: a periodic motion, and its mirror image if that is another one.
 #[derive(Clone, Debug)]
 pub struct Cycle {
-    /// The least number of impacts after which the motion is what it was, or its mirror image.
+    /// Least number of impacts after which the motion repeats itself or its mirror image.
     pub impacts: usize,
     /// The problem that it is an orbit of: its word, from the left wall on, and its cycles of the excitation.
     pub problem: Problem,

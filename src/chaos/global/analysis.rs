@@ -1,4 +1,4 @@
-//! Components that are refined one by one, the smallest first, and the tree of what they fall into. Lemmas A6, A10 of
+//! Components that are refined one by one, the smallest first, and the tree of the components that they split into. Lemmas A6, A10 of
 //! `docs/proofs/global.md#A6`.
 
 use std::cmp::Reverse;

@@ -70,7 +70,7 @@ fn attracts_after(orbit: &PeriodicOrbit, impacts: usize) -> bool {
     is_round && orbit.stability == Stability::Stable
 }
 
-/// The place of the one component that has boxes which meet some rectangles; `None` where there are more, or none.
+/// Index of the only component with boxes that meet one of the rectangles; `None` where there are several, or none.
 fn place(components: &[&Component], hulls: &[Hull]) -> Option<usize> {
     let meets = |component: &Component| {
         let [columns, rows] = [component.grid.columns as f64, component.grid.rows]; // exact: powers of two

@@ -162,7 +162,7 @@ fn nearest(component: &Component, states: &[State], cell: (i32, i32)) -> usize {
     (0..states.len()).min_by(by_distance).unwrap_or(0) // proposes: any class will do
 }
 
-/// The hull of the boxes of each class, phases about those of its state; `None` where one has none, or all phases.
+/// Hull of the boxes of each class, with phases near its state's; `None` where a class has no boxes, or all phases.
 fn hulls(component: &Component, states: &[State], classes: &[usize]) -> Option<Vec<[[f64; 2]; 2]>> {
     let (columns, rows) = (component.grid.columns, component.grid.rows);
     let hull = |class: usize| {

@@ -39,7 +39,7 @@ pub(super) enum Release {
     Lands([f64; 2], [f64; 2]),
 }
 
-/// Boxes and what follows each. The last node is the release.
+/// Boxes and the boxes that may follow each. The last node is the release.
 pub(super) struct Graph {
     grid: Grid,
     cells: Vec<Cell>,
@@ -50,12 +50,12 @@ pub(super) struct Graph {
     leaves: Vec<bool>,
 }
 
-/// A graph's recurrent components, to which of them each one leads, and where motions are in the end from the boxes in none.
+/// Recurrent components of a graph, the components that each one leads to, and the ends of motions from all other boxes.
 pub(super) struct Recurrent {
     pub components: Vec<Component>,
-    /// `leads[i][j]`: from the first to the second.
+    /// `leads[i][j]`: whether component `i` leads to component `j`.
     pub leads: Vec<Vec<bool>>,
-    /// The boxes in none of them, in order, each with the place of its ends: the components that walks lead to.
+    /// Boxes outside all components, in order, each with the index of its ends: the components that walks lead to.
     pub passed: Vec<(Cell, usize)>,
     pub ends: Vec<Vec<u32>>,
 }
@@ -68,14 +68,14 @@ pub(super) enum Stopped {
     Spent,
 }
 
-/// The work of images that is allowed, and what is done of it by all threads.
+/// Allowed work of images, and the work that all threads have done.
 struct Allowance {
     most: u64,
     done: AtomicU64,
 }
 
 impl Allowance {
-    /// Adds the work of a box: whether a sum exceeds what is allowed depends on the boxes alone, not on the threads.
+    /// Adds the work of a box: whether a sum exceeds the allowed work depends on the boxes alone, not on the threads.
     fn add(&self, work: u64) -> Result<(), Stopped> {
         let before = self.done.fetch_add(work, Ordering::Relaxed);
         if before.saturating_add(work) > self.most { Err(Stopped::Spent) } else { Ok(()) } // exact: a count

@@ -3,7 +3,7 @@
 /// A strip is cut into no more cells than this.
 pub(super) const MOST_CELLS: usize = 1 << 18;
 
-/// The reason why a word is not among those of a hyperbolic set.
+/// The reason why a word is left out of a hyperbolic set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LeftOut {
     /// The h-sets overlap as parallelograms.

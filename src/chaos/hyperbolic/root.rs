@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::number::{Ball, logarithm};
 
-/// A step between two nodes of a graph, with bounds of what it weighs, and how long it takes.
+/// A step between two nodes of a graph, with bounds of its weight, and its length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge {
     pub from: usize,

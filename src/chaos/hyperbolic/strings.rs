@@ -119,7 +119,7 @@ impl Strings<'_> {
         numerator.checked_div(along).map_or(Some(*cell), |within| cell.part(0, within))
     }
 
-    /// The points of a word's cells, as far as they are left by what `narrowed` says of them.
+    /// Points of a word's cells, each cell narrowed by `narrowed`; cells without points are left out.
     fn cut(&self, word: usize, images: &[Image], narrowed: &dyn Fn(&Image) -> Option<Cell>) -> Cylinder {
         let mut kept = Vec::new();
         for image in images {

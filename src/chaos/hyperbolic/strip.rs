@@ -43,7 +43,7 @@ pub(crate) struct Image {
     pub cell: Cell,
     pub middle: [Ball; 2],
     pub sides: Sides,
-    /// Hold the images of the vectors `(1, 0)` and `(0, 1)` of the h-set that it comes from, at each state; none where they are not known.
+    /// Hold the images of the vectors `(1, 0)` and `(0, 1)` of the h-set of the cell, at each state; `None` where they are not known.
     units: Option<[[Ball; 2]; 2]>,
 }
 

@@ -51,9 +51,9 @@ pub struct WindowSettings {
 /// A stable orbit with its window, as the reduced map sees it.
 #[derive(Clone, Debug)]
 pub struct FoundWindow {
-    /// Impacts after which the orbit is what it was, or its mirror image.
+    /// Number of impacts after which the orbit repeats itself or its mirror image.
     pub impacts: usize,
-    /// Their flights in time order: `F` to the far wall, `N` back to the near one.
+    /// Flights of these impacts in time order: `F` to the far wall, `N` back to the near one.
     pub flights: String,
     /// The orbit and its window.
     pub window: Window,

@@ -18,13 +18,13 @@ const INNER_TRACE: f64 = -0.4;
 /// An orbit near which a window may be, in floating point.
 #[derive(Clone, Debug)]
 pub struct WindowSeed {
-    /// The walls of its impacts.
+    /// Walls of the orbit's impacts.
     pub word: Word,
-    /// The forcing periods it takes.
+    /// Number of forcing periods of the orbit.
     pub cycles: u32,
-    /// `true` if it is its own mirror image after half of them.
+    /// `true` if the orbit is its own mirror image after half of these periods.
     pub is_mirrored: bool,
-    /// The phases of its impacts, of one half where it is mirrored, in forcing periods.
+    /// Phases of the impacts in forcing periods, of one half of them if `is_mirrored`.
     pub phases: Vec<f64>,
     /// `A/d`, or `e` where that varies.
     pub parameter: f64,
@@ -34,7 +34,7 @@ pub struct WindowSeed {
 pub(super) struct Branch {
     /// The orbits at [`STATIONS`], towards the middle, of each end.
     pub ends: [Vec<(f64, Vec<f64>)>; 2],
-    /// The orbits from the last station of the one to that of the other.
+    /// Orbits from the last station of the first end to that of the second end.
     pub between: Vec<Vec<f64>>,
     /// An orbit in the middle of the window.
     pub inner: Vec<f64>,

@@ -98,7 +98,7 @@ const MAX_RADIUS_BEYOND_DOUBLES: f64 = 1.0 / (1 << 20) as f64; // exact: a power
 const MOST_DOMAINS: u32 = 14;
 const MOST_IMAGES: u32 = 40;
 
-/// A zero to prove, and what it then is.
+/// A zero to prove, and the kind of bifurcation that it is.
 struct Claim<'s, S> {
     setting: &'s Setting<'s, S>,
     ring: &'s Ring,

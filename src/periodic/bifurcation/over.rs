@@ -11,7 +11,7 @@ use crate::scene::{Key, Range};
 /// bifurcates (Lemma R1).
 ///
 /// # Errors
-/// If it is no range, it is that of another key, or it has a number of values.
+/// If the text is no range, has another key, or has a number of values.
 ///
 /// ```
 /// use impact_pair::periodic::bifurcation::over;

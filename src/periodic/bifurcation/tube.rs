@@ -21,7 +21,7 @@ pub(super) struct SlabChain<'t, S: Varied, N: PhaseNumber> {
     pub family: &'t Family<S, N>,
     /// Steps of simplified Newton's iteration to the centre of a slab, beyond floating point.
     pub steps: u32,
-    /// Added to the radii of the first box that is tried, and a tenth of it to those of the others.
+    /// Length that is added to the radii of the first box that is tried; a tenth of it is added to later boxes.
     pub pad: f64,
     /// The condition that also has to hold on the domain of a slab.
     pub holds: &'t dyn Fn(&[N]) -> bool,
@@ -78,7 +78,7 @@ impl Slab<'_> {
     }
 }
 
-/// A slab proved: for each `t` exactly one point of the curve lies in `domain`; that of the station it goes to lies in `end`.
+/// A slab proved: for each `t` exactly one point of the curve lies in `domain`; the point at the station at the slab's end lies in `end`.
 pub(super) struct Proof<N> {
     base: Vec<f64>,
     along: Vec<f64>,

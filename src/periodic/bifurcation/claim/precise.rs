@@ -10,7 +10,7 @@ use crate::number::MpBall;
 
 /// Bits that an extended system loses besides: it is solved for a kernel as well.
 const EXTENDED_BITS: u32 = 16;
-/// Precisions that are tried beyond doubles, each twice the one before: twice is enough where the precision is what lacks.
+/// Precisions that are tried beyond doubles, each twice the one before: twice is enough where precision alone is missing.
 const MOST_PRECISIONS: u32 = 3;
 
 impl<S: Varied> Setting<'_, S> {
