@@ -18,8 +18,7 @@ use crate::{Error, Scene};
 /// The most impacts for which a description is tried next where the motion stays in a region: some seconds.
 const MOST_NEXT_IMPACTS: u64 = 20_000;
 /// Reasons why more impacts of an orbit are not advised.
-const KEEPS_AREAS: &str =
-    "with e = 1 the impact map keeps areas in time and energy, so that no orbit attracts those near it";
+const KEEPS_AREAS: &str = "with e = 1 the impact map preserves area, so that no orbit attracts nearby motions";
 const HAS_NO_PERIOD: &str =
     "the frequencies are not proved to have a common period, and without one no motion with impacts is periodic";
 /// The reason why an orbit has no finite-time exponent, where one may exist.

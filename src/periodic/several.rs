@@ -72,7 +72,7 @@ impl Chained for SeveralHarmonics {
 fn incommensurate(frequencies: &[String]) -> Error {
     let accepted = format!(
         "periodic orbits are known of frequencies whose ratios are proved to be fractions, with a common period of \
-         at most {MOST_CYCLES} turns of the fastest"
+         at most {MOST_CYCLES} periods of the fastest one"
     );
     let message = format!("excitation.frequency is [{}], but {accepted}", frequencies.join(", "));
     Error::out_of_range("excitation.frequency", message)
