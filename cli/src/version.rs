@@ -30,8 +30,7 @@ fn features() -> String {
 
 #[cfg(feature = "multiprecision")]
 fn beyond_doubles() -> String {
-    let mpfr = impact_pair::number::mpfr_version();
-    format!(", BITS (MPFR {mpfr}, correctly rounded, error bounds proved)")
+    ", BITS (error bounds proved)".to_owned()
 }
 
 #[cfg(not(feature = "multiprecision"))]

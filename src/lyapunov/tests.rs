@@ -34,10 +34,9 @@ fn bounds_hold_the_exact_norm_of_powers() {
         let disturbance = after(&scene("figure-12-exact"), 2 * periods, 9);
         let found = disturbance.growth.logarithm_of_norm().unwrap();
         // Of [[1, x], [0, 1]] the larger singular value is (x + sqrt(x^2 + 4))/2 = exp asinh (x/2).
-        let x = rug::Float::with_val(200, periods) * 3u32 / 8u32;
-        let exact = (x / 2u32).asinh() - rug::Float::with_val(200, 4).ln() * periods;
-        let error = rug::Float::with_val(200, &exact - found.mid()).abs();
-        assert!(error <= found.rad(), "{periods}: {error:e} > {:e}", found.rad());
+        let exact = (periods as f64 * 3.0 / 16.0).asinh() - 4f64.ln() * periods as f64;
+        let error = (exact - found.mid()).abs();
+        assert!(error <= found.rad() + 2.0 * f64::EPSILON * exact.abs(), "{periods}: {error:e} > {:e}", found.rad());
         assert!(found.rad() < 1e-11 * periods as f64, "{periods}: {:e}", found.rad());
     }
 }

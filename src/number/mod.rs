@@ -28,7 +28,7 @@ use kernel::SmallAngle;
 pub use logarithm::logarithm;
 pub use magnitude::Magnitude;
 #[cfg(feature = "multiprecision")]
-pub use multiprecision::{MpBall, mpfr_version};
+pub use multiprecision::{Float, MpBall};
 
 /// The least precision of an `MpBall`, in bits.
 pub const LEAST_BITS: u32 = 64;

@@ -1,12 +1,10 @@
 //! One impact after another in multiprecision, for any excitation.
 //!
-//! The centre of the set is a pair of MPFR numbers and flies in balls; the set around it is the parallelogram of
+//! The centre of the set is a pair of numbers of many bits and flies in balls; the set around it is the parallelogram of
 //! [`super::set`], in units of a power of two, since a chaotic orbit of 10,000 impacts starts with one of `2^-5800`.
 //! The Jacobian (A.7) multiplies these radii, so doubles do for it.
 
 use std::sync::Arc;
-
-use rug::Float;
 
 use super::motion::{Motion, States};
 use super::plan::Plan;
@@ -15,7 +13,7 @@ use crate::contact::{Contact, Grazed, Undecided};
 use crate::exact::{Enclosure, Exact};
 use crate::flight::Launch;
 use crate::mapping::jacobian_between;
-use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall};
+use crate::number::{Ball, Float, LEAST_BITS, Magnitude, MpBall};
 use crate::pair::Wall;
 use crate::several::FlightNumber;
 use crate::shaken::precise::{Arrival, Flights};
@@ -193,8 +191,8 @@ impl<S: Flying> Motion for PreciseMotion<S> {
             States::Inside { height, phase, velocity } => self.first(height, phase, velocity)?,
         };
         // Into [-1/2, 1/2], exactly (Sterbenz).
-        let whole = set.phase.clone().round().to_f64(); // exact: within a few forcing periods
-        set.phase -= whole;
+        let whole = set.phase.round().to_f64(); // exact: within a few forcing periods
+        set.phase = set.phase.minus(&Float::new(whole), set.phase.bits());
         let [phase, velocity] = set.doubles();
         self.doubles = Some([phase, velocity]);
         let turns = contact.turns + whole;

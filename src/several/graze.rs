@@ -1,7 +1,5 @@
 //! Past a contact that may be a graze, under several harmonics: Lemma H13 of `docs/proofs/harmonics.md#H13`.
 
-use rug::Float;
-
 use super::flight::{Instant, SumFlight};
 use super::harmonics::{Harmonics, Rates};
 use super::phased::FlightNumber;
@@ -10,7 +8,7 @@ use super::scan::{Doubt, Scan};
 use super::view::Side;
 use crate::contact::multiprecision::Passed;
 use crate::flight::Launch;
-use crate::number::{Ball, Magnitude, MpBall, Number, is_positive};
+use crate::number::{Ball, Float, Magnitude, MpBall, Number, is_positive};
 use crate::pair::Wall;
 
 /// Greatest number of steps past a touch that are tried, each half of the one before; the first is half of the step that `z'''` allows.
@@ -93,7 +91,7 @@ impl Touch {
         let state = all.state(&at);
         let start = &all.launch.phase;
         let sum = start.clone() + at.rest.clone();
-        let phase = Float::with_val(bits, sum.mid());
+        let phase = sum.mid().rounded(bits);
         // The time from the start of each flight to that phase differs from `at` by so much.
         let apart = start.rad() + (MpBall::exact(phase.clone()) - sum).mag();
         let second = Magnitude::new(rates.second, 0);
@@ -105,11 +103,20 @@ impl Touch {
         if !(is_inside && room(&velocity.clone().signed(wall.sign()))) {
             return None;
         }
-        let whole = phase.clone().round().to_f64(); // exact: within a few forcing periods
+        let whole = phase.round().to_f64(); // exact: within a few forcing periods
         let touched = start.clone() + bottom.time().widened(self.window);
         // N1: below 2^52
         let turns = at.turns as f64 + whole;
         let (distance, acceleration) = (self.distance.clone(), second);
-        Some(Passed { wall, at: touched, turns, phase: phase - whole, height, velocity, distance, acceleration })
+        Some(Passed {
+            wall,
+            at: touched,
+            turns,
+            phase: phase.minus(&Float::new(whole), bits),
+            height,
+            velocity,
+            distance,
+            acceleration,
+        })
     }
 }

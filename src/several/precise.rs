@@ -1,11 +1,9 @@
 //! Flights under several harmonics in balls of any precision.
 
-use rug::Float;
-
 use super::harmonics::{Harmonics, Partial};
 use super::phased::{FlightNumber, PhaseNumber, middle};
 use crate::exact::Exact;
-use crate::number::{MpBall, Number};
+use crate::number::{Float, MpBall, Number};
 
 /// Bits that a count of forcing periods can take: phases are computed with as many bits more.
 const PERIOD_COUNT_BITS: u32 = 64;
@@ -14,9 +12,9 @@ impl PhaseNumber for MpBall {
     type Counter = (MpBall, MpBall);
 
     fn phase_at((ratio, shift): &(MpBall, MpBall), turns: i64) -> MpBall {
-        let turns = MpBall::exact(Float::with_val(PERIOD_COUNT_BITS, turns));
+        let turns = MpBall::exact(Float::whole(turns));
         let phase = turns.mul_add(ratio.clone(), shift.clone());
-        let whole = MpBall::exact(phase.mid().clone().round()); // H1: any whole number of forcing periods
+        let whole = MpBall::exact(phase.mid().round()); // H1: any whole number of forcing periods
         let bits = phase.bits() - PERIOD_COUNT_BITS;
         (phase - whole).rounded(bits)
     }
@@ -41,15 +39,15 @@ impl FlightNumber for MpBall {
     }
     fn later(&self, step: &MpBall) -> MpBall {
         let bits = self.bits().max(step.bits()); // exact: any time; it is an exact number
-        MpBall::exact(Float::with_val(bits, self.mid() + step.mid()))
+        MpBall::exact(self.mid().plus(step.mid(), bits))
     }
     fn ratio_to(&self, divisor: &MpBall) -> Option<MpBall> {
         let bits = self.bits().max(divisor.bits()); // exact: any number; it is an exact one
-        let ratio = Float::with_val(bits, self.mid() / divisor.mid());
-        ratio.is_finite().then(|| MpBall::exact(ratio))
+        let ratio = self.mid().over(divisor.mid(), bits);
+        ratio.is_number().then(|| MpBall::exact(ratio))
     }
     fn root_of(&self) -> MpBall {
-        MpBall::exact(Float::with_val(self.bits(), self.mid().sqrt_ref()))
+        MpBall::exact(self.mid().sqrt(self.bits()))
     }
     fn like(&self, x: f64) -> MpBall {
         MpBall::from_f64_bits(x, self.bits())

@@ -3,13 +3,11 @@
 mod one;
 mod several;
 
-use rug::Float;
-
 use super::Parameters;
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Grazed, Undecided};
 use crate::flight::Launch;
-use crate::number::{Ball, Magnitude, MpBall};
+use crate::number::{Ball, Float, Magnitude, MpBall};
 use crate::pair::Wall;
 
 /// Bits enough to lose nothing of doubles on the way past a graze.

@@ -5,14 +5,12 @@
 
 use std::cmp::Ordering;
 
-use rug::Float;
-
 use super::isolate::{PhaseNumber, is_rising};
 use crate::contact::Grazed;
 use crate::contact::extrema::Target;
 use crate::exact::{Dyadic, Enclosure};
 use crate::flight::Flight;
-use crate::number::{ABOVE_TWO_PI, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Float, Magnitude, MpBall, Number};
 use crate::pair::{Inward, Wall};
 
 /// Greatest number of ways on from a touch that are tried, each half as long as the one before: the first is half of the piece.
@@ -92,7 +90,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
         Target::Far => &turning.near.span,
         Target::Near => &turning.far.span,
     };
-    let mut step = along.mid().clone() / 2u32;
+    let mut step = along.mid().clone().scaled(-1);
     for _ in 0..MOST_STEPS {
         if let Some((turns, phase, height, velocity)) = go_on(flight, target, &time, &step, window, change) {
             let at = flight.phase.clone() + time.clone().widened(window);
@@ -104,7 +102,7 @@ pub(crate) fn pass(flight: &Flight<MpBall>) -> Option<Passed> {
             let wall = target.wall(flight.wall);
             return Some(Passed { wall, at, turns, phase, height, velocity, distance: room, acceleration });
         }
-        step /= 2u32;
+        step = step.scaled(-1);
     }
     None
 }
@@ -119,9 +117,9 @@ fn go_on(
     change: Magnitude,
 ) -> Option<(f64, Float, MpBall, MpBall)> {
     let bits = flight.drift.bits();
-    let at = Float::with_val(bits + 64, time.mid() + step) + flight.phase.mid();
+    let at = time.mid().plus(step, bits + 64).plus(flight.phase.mid(), bits + 64);
     let turns = at.to_f64().round(); // exact: any whole number is taken off
-    let phase = Float::with_val(bits, at - turns);
+    let phase = at.minus(&Float::new(turns), bits);
     let point = MpBall::exact(phase.clone());
     let (sin, cos) = flight.wall.mirror(point.sin_cos());
     let since = MpBall::exact(step.clone()).mag() + time.rad() + time.rad() + window + window;

@@ -2,14 +2,12 @@
 
 use std::cmp::Ordering;
 
-use rug::Float;
-
 use super::Isolated;
 use crate::contact::Undecided;
 use crate::contact::extrema::Target;
 use crate::contact::solve::inverse_smoothstep;
 use crate::flight::Flight;
-use crate::number::{ABOVE_TWO_PI, Enclosing, Magnitude, MpBall, Number};
+use crate::number::{ABOVE_TWO_PI, Enclosing, Float, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -105,8 +103,8 @@ fn monotone(flight: &Flight<MpBall>) -> Result<Piece, Undecided> {
         |x: MpBall| x.checked_div(flight.drift.clone()).map(|x| x.mid().clone()).ok_or_else(|| endless(flight));
     let mean = quotient(-base)?;
     let spread = quotient(flight.alpha.clone())?.abs();
-    let guess = mean.clone().max(&Float::new(53)); // proposes
-    Ok(Piece { target, end: None, between: (mean.clone() - &spread, mean + spread), guess })
+    let guess = if mean > 0.0 { mean.clone() } else { Float::new(0.0) }; // proposes
+    Ok(Piece { target, end: None, between: (mean.minus(&spread, mean.bits()), mean.plus(&spread, mean.bits())), guess })
 }
 
 /// The extrema of one kind, maxima or minima.
@@ -140,7 +138,7 @@ impl PhaseNumber {
         let double = p.clone().plus(&p);
         let mirrored = flight.phase.clone() + MpBall::from_f64(flight.wall.mirror_phase());
         // M3: all starts are on its piece
-        let whole = if rising { mirrored.mid().clone().floor() } else { mirrored.mid().clone().round() };
+        let whole = if rising { mirrored.mid().floor() } else { mirrored.mid().round() };
         let start = mirrored - MpBall::exact(whole);
         let (first_max, first_min) = if rising {
             let first_max = one() - p - start;
@@ -196,7 +194,7 @@ impl PhaseNumber {
 impl Kind {
     /// The number, by the middles, of the first extremum beyond the wall when each comes nearer by `step`.
     fn crossing(&self, step: &MpBall) -> Option<f64> {
-        let ratio = Float::with_val(self.room.bits(), self.room.mid() / step.mid());
+        let ratio = self.room.mid().over(step.mid(), self.room.bits());
         let k = ratio.ceil().to_f64().max(1.0); // proposes: C4 is proved for this k
         (k < LONGEST_FLIGHT).then_some(k)
     }
@@ -233,10 +231,11 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
     let approach = flight.drift.clone().signed(target.direction());
     let beyond = approach.clone().mul_add(k, -room);
     let travel = flight.alpha.clone().plus(&flight.alpha).mul_add(turning.sine.clone(), approach * span.clone());
-    let fraction = beyond.mid().clone() / travel.mid();
+    let fraction = beyond.mid().over(travel.mid(), beyond.bits());
     let from_end = inverse_smoothstep(fraction.to_f64());
-    let guess = end.mid() - span.mid().clone() * from_end;
-    let begin = end.mid().clone() - span.mid();
+    let (bits, part) = (end.bits(), Float::new(from_end));
+    let guess = end.mid().minus(&span.mid().times(&part, bits), bits);
+    let begin = end.mid().minus(span.mid(), bits);
     let guess = if target == Target::Near { hop(flight, &begin, guess) } else { guess };
     Ok(Piece { target, between: (begin, end.mid().clone()), guess, end: Some(end) })
 }
@@ -244,13 +243,13 @@ fn first_piece(flight: &Flight<MpBall>, rising: bool) -> Result<Piece, Undecided
 /// Time of the end of a short hop, else `guess`: doubles cannot hold a hop shorter than 1e-300 of its piece.
 fn hop(flight: &Flight<MpBall>, top: &Float, guess: Float) -> Float {
     // 0 = z' + z'' h/2 + z''' h^2/6: the root that is the departure is divided out.
-    let bits = guess.prec();
+    let bits = guess.bits();
     let velocity = flight.velocity.mid();
-    let bend = Float::with_val(bits, flight.acceleration_at(flight.sin.clone()).mid() / -2i32);
-    let jerk = Float::with_val(bits, flight.acceleration_at(flight.cos.turn() * flight.cos.clone()).mid() / -6i32);
-    let discriminant = Float::with_val(bits, bend.square_ref()) + Float::with_val(bits, &jerk * velocity) * 4i32;
-    let hop = Float::with_val(bits, velocity * 2i32) / (bend + discriminant.sqrt());
-    let is_short = *top < hop && hop < 2f64.powi(-10); // proposes: a NaN is not taken
+    let bend = -flight.acceleration_at(flight.sin.clone()).mid().clone().scaled(-1);
+    let jerk = flight.acceleration_at(flight.cos.turn() * flight.cos.clone()).mid().over(&Float::new(-6.0), bits);
+    let discriminant = bend.times(&bend, bits).plus(&jerk.times(velocity, bits).scaled(2), bits);
+    let hop = velocity.clone().scaled(1).over(&bend.plus(&discriminant.sqrt(bits), bits), bits);
+    let is_short = *top < hop && hop < 2f64.powi(-10); // proposes: no number is not taken
     if is_short { hop } else { guess }
 }
 
@@ -259,8 +258,8 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
     let bits = flight.drift.bits().max(flight.phase.bits()); // M3: any number of bits
     let whole = MpBall::from_f64(turns);
     let phase_of = |time: &Float| {
-        let since = Float::with_val(bits + 64, time - turns);
-        Float::with_val(bits, since + flight.phase.mid())
+        let since = time.minus(&Float::new(turns), bits + 64);
+        since.plus(flight.phase.mid(), bits)
     };
     let (mut low, mut high) = (phase_of(&piece.between.0), phase_of(&piece.between.1));
     let mut at = phase_of(&piece.guess);
@@ -278,10 +277,10 @@ fn solve(flight: &Flight<MpBall>, piece: &Piece, turns: f64) -> Result<Isolated,
             low.clone_from(&at);
         }
         let ahead = velocity.clone().signed(direction).sign() == Some(Ordering::Greater);
-        let step = Float::with_val(bits, residual.mid() / velocity.mid());
-        let next = Float::with_val(bits, &at - &step);
+        let step = residual.mid().over(velocity.mid(), bits);
+        let next = at.minus(&step, bits);
         let is_better = ahead && low < next && next < high;
-        let next = if is_better { next } else { Float::with_val(bits, &low + &high) / 2u32 };
+        let next = if is_better { next } else { low.plus(&high, bits).scaled(-1) };
         if side.is_none() || side == Some(Ordering::Equal) || next == at {
             return prove(flight, piece.target, turns, at, &residual, &velocity, &sin);
         }

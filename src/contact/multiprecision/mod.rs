@@ -10,15 +10,13 @@ mod refine;
 #[cfg(test)]
 mod tests;
 
-use rug::Float;
-
 use super::bounds::{Bounds, Margins, Radii};
 use super::certify::Bracket;
 use super::extrema::Target;
 use super::solve::propose;
 use super::{Contact, PairBounds, Reason, Undecided};
 use crate::flight::{Flight, Launch};
-use crate::number::{ABOVE_TWO_PI, Ball, Kernel, Magnitude, MpBall, UNIT, kernel};
+use crate::number::{ABOVE_TWO_PI, Ball, Float, Kernel, Magnitude, MpBall, UNIT, kernel};
 use crate::pair::{Inward, Wall};
 pub(crate) use graze::{Passed, pass};
 pub(crate) use refine::Refined;
@@ -50,7 +48,7 @@ impl Isolated {
         (least > 0.0).then(|| Self {
             target: arrival.target,
             turns: arrival.turns,
-            at: Float::with_val(f64::MANTISSA_DIGITS, arrival.phase.mid()),
+            at: Float::new(arrival.phase.mid()),
             reach: Magnitude::new(arrival.phase.rad(), 0),
             // Three roundings.
             least: Magnitude::new(least * (1.0 - 8.0 * UNIT), 0),

@@ -6,15 +6,11 @@
 //! So one evaluation in balls proves a root to full precision, wherever `b` comes from: plain Halley-like steps that
 //! quadruple the bits. Each needs one sine and cosine; the last one rotates them by its own small step.
 
-use rug::Float;
-use rug::float::Round;
-
 use super::Isolated;
 use crate::contact::extrema::Target;
 use crate::flight::{Flight, turned, velocity_after};
 use crate::number::kernel::SmallAngle;
-use crate::number::multiprecision::magnitude;
-use crate::number::{LEAST_BITS, Magnitude, MpBall, Number};
+use crate::number::{Float, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::pair::Inward;
 
 /// The contact of one flight, in the frame of its start.
@@ -59,7 +55,7 @@ impl PhaseValues {
     /// Whether the height is as near to 0 as the precision can distinguish.
     fn is_noise(&self) -> bool {
         let noise = self.residual.rad();
-        magnitude(self.residual.mid()) <= noise + noise
+        self.residual.mid().magnitude() <= noise + noise
     }
 }
 
@@ -84,18 +80,18 @@ impl Isolated {
         let mut at = self.at.clone();
         for level in self.precisions(flight, bits) {
             let coarse = flight.map(|x| x.rounded(level));
-            at.set_prec(level);
+            at = at.rounded(level);
             let sight = self.look(&coarse, &at);
-            at += step(&coarse, &sight)?;
+            at = at.plus(&step(&coarse, &sight)?, level);
         }
-        at.set_prec(bits);
+        at = at.rounded(bits);
         let mut sight = self.look(flight, &at);
         let mut before = Magnitude::INFINITE;
         for _ in 0..MOST_STEPS {
-            let next = at.clone() + step(flight, &sight)?;
+            let next = at.plus(&step(flight, &sight)?, bits);
             let moved = MpBall::exact(next.clone()) - MpBall::exact(at);
             sight = sight.later(flight, &moved)?;
-            let left = magnitude(sight.residual.mid());
+            let left = sight.residual.mid().magnitude();
             if sight.is_noise() || left >= before {
                 let error = self.error(&next, Magnitude::ZERO, &sight)?;
                 return Some(Refined { at: next, error, velocity: sight.velocity, sin_cos: sight.sin_cos });
@@ -115,13 +111,13 @@ impl Isolated {
 
     /// Encloses the contact of a hop: the unknown is the time, and nothing cancels however short it is.
     fn refine_hop(&self, flight: &Flight<MpBall>, bits: u32) -> Option<Refined> {
-        let mut time = Float::with_val(bits, self.time.mid());
+        let mut time = Float::with_bits(self.time.mid(), bits);
         let mut before = Magnitude::INFINITE;
         for _ in 0..MOST_STEPS {
             let sight = see_hop(flight, &time)?;
-            let left = magnitude(sight.residual.mid());
+            let left = sight.residual.mid().magnitude();
             if !sight.is_noise() && left < before {
-                time += step(flight, &sight)?;
+                time = time.plus(&step(flight, &sight)?, bits);
                 before = left;
                 continue;
             }
@@ -130,7 +126,7 @@ impl Isolated {
             let phase = start.clone().plus(&time);
             let error = self.error(phase.mid(), phase.rad(), &sight)? + phase.rad();
             // From the phase at that time to the phase that is kept.
-            let at = Float::with_val(bits, phase.mid());
+            let at = phase.mid().rounded(bits);
             let rest = MpBall::exact(at.clone()).minus(&start).minus(&time);
             let departure = rest.short_departure()?;
             let sin_cos = turned((&sight.sin_cos.0, &sight.sin_cos.1), &departure);
@@ -170,8 +166,7 @@ impl Isolated {
 
     /// Lemma M3, for a phase within `spread` of `at`.
     fn error(&self, at: &Float, spread: Magnitude, sight: &PhaseValues) -> Option<Magnitude> {
-        let moved = Float::with_val_round(LEAST_BITS, &self.at - at, Round::AwayZero).0;
-        (magnitude(&moved) + spread <= self.reach).then(|| sight.residual.mag().over(self.least))
+        (self.at.distance(at) + spread <= self.reach).then(|| sight.residual.mag().over(self.least))
     }
 }
 
@@ -180,12 +175,12 @@ impl Isolated {
 /// With `n = z/z'`, `A = z''/(2 z')` and `B = z'''/(6 z')`: `-n - (A + (2 A^2 - B) n) n^2`, the inverted Taylor series.
 fn step(flight: &Flight<MpBall>, sight: &PhaseValues) -> Option<Float> {
     let (residual, slope, bits) = (sight.residual.mid(), sight.velocity.mid(), flight.drift.bits());
-    let Some(size) = residual.get_exp() else { return Some(residual.clone()) };
-    let size = f64::from(size) - f64::from(slope.get_exp()?);
+    let Some(size) = residual.top() else { return Some(residual.clone()) };
+    let size = (size - slope.top()?) as f64;
     // Bits of a number of this size that the phase is worth.
     let worth =
         |size: f64| ((f64::from(bits) + size) as u32).saturating_add(16).clamp(LEAST_BITS, bits.max(LEAST_BITS)); // proposes
-    let newton = Float::with_val(worth(size), residual / slope);
+    let newton = residual.over(slope, worth(size));
     let (beta, (sin, cos)) = (&flight.beta, &sight.sin_cos);
     let rough = {
         let [slope, beta, sin, cos] = [slope, beta.mid(), sin.mid(), cos.mid()].map(Float::to_f64);
@@ -194,20 +189,21 @@ fn step(flight: &Flight<MpBall>, sight: &PhaseValues) -> Option<Float> {
     // Corrections of the second order need half the bits, of the third a quarter: maybe no more than doubles have.
     let order = |n: f64, x: f64| worth(n * size + x.abs().log2());
     let [half, quarter] = rough.map_or([bits, bits], |[a, b]| [order(2.0, a), order(3.0, b)]);
-    let coarse = |x: &Float, bits: u32| MpBall::exact(Float::with_val(bits, x));
-    let square = Float::with_val(half, newton.square_ref());
-    let mut curvature = match rough {
-        Some([bend, _]) if half == LEAST_BITS => Float::with_val(half, bend),
+    let coarse = |x: &Float, bits: u32| MpBall::exact(x.rounded(bits));
+    let square = newton.times(&newton, half);
+    let curvature = match rough {
+        Some([bend, _]) if half == LEAST_BITS => Float::with_bits(bend, half),
         _ => bend(coarse(slope, half), coarse(beta.mid(), half), coarse(sin.mid(), half))?.mid().clone(),
     };
-    curvature += match rough {
-        Some([_, twist]) if quarter == LEAST_BITS => Float::with_val(quarter, &newton * twist),
+    let more = match rough {
+        Some([_, twist]) if quarter == LEAST_BITS => newton.times(&Float::new(twist), quarter),
         _ => {
             let [a, slope, beta, cos] = [&curvature, slope, beta.mid(), cos.mid()].map(|x| coarse(x, quarter));
-            Float::with_val(quarter, twist(a, slope, beta, cos)?.mid() * &newton)
+            twist(a, slope, beta, cos)?.mid().times(&newton, quarter)
         }
     };
-    Some(-(newton + curvature * square))
+    let curved = curvature.plus(&more, half).times(&square, half);
+    Some(-newton.plus(&curved, newton.bits()))
 }
 
 /// `A`

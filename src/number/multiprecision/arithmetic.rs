@@ -1,19 +1,12 @@
 //! Sums, products and quotients of multiprecision balls (Lemma M1).
 
-use std::cmp::Ordering;
+use std::mem;
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use rug::Float;
-use rug::float::{Constant, Round};
-use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
-
-use super::{MpBall, above, error_of, magnitude, rounding};
+use super::float::{Float, Round};
+use super::{MpBall, error_of, rounding, sine};
 use crate::number::{Magnitude, Number};
 
-/// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
-pub(super) const SHORT_PRODUCT_BITS: u32 = 24 * 64;
-
-/// Results take the place of the left operand, where it has the bits: no memory is allocated.
 impl Add for MpBall {
     type Output = Self;
     fn add(self, b: Self) -> Self {
@@ -37,10 +30,16 @@ impl Sub for MpBall {
 
 impl MpBall {
     /// A `n`-th of it.
-    pub(super) fn divided(mut self, n: u32) -> Self {
-        let rad = self.rad.over(Magnitude::new(f64::from(n), 0));
-        self.set(rad, |mid| mid.div_assign_round(n, Round::Nearest));
-        self
+    pub(super) fn divided(self, n: u32) -> Self {
+        let (rad, bits) = (self.rad.over(Magnitude::new(f64::from(n), 0)), self.bits());
+        Self::found(self.mid.div_whole(n, bits), rad)
+    }
+
+    /// A result of centres and the radius that those of the operands make.
+    #[inline]
+    fn found(mid: (Float, bool), rad: Magnitude) -> Self {
+        let (mid, error) = rounding(mid);
+        Self { mid, rad: rad + error }
     }
 
     /// Returns the part of the radius of a sum or difference that comes from the radii.
@@ -52,93 +51,77 @@ impl MpBall {
     fn product_spread(&self, b: &Self) -> Magnitude {
         match (self.rad.is_zero(), b.rad.is_zero()) {
             (true, true) => Magnitude::ZERO,
-            (true, false) => magnitude(&self.mid) * b.rad,
-            (false, true) => self.rad * magnitude(&b.mid),
-            (false, false) => self.rad * b.mag() + magnitude(&self.mid) * b.rad,
+            (true, false) => self.mid.magnitude() * b.rad,
+            (false, true) => self.rad * b.mid.magnitude(),
+            (false, false) => self.rad * b.mag() + self.mid.magnitude() * b.rad,
         }
     }
 
     /// The product in N bits; what the radii add is bounded within a factor of two.
     pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
-        let (mid, error) = rounding(Float::with_val_round(bits, &self.mid * &b.mid, Round::Nearest));
         let spread = |rad: Magnitude, of: Magnitude| if rad.is_zero() { rad } else { rad * of };
-        Self { mid, rad: spread(self.rad, above(&b.mid) + b.rad) + spread(b.rad, above(&self.mid)) + error }
+        let rad = spread(self.rad, b.mid.above() + b.rad) + spread(b.rad, self.mid.above());
+        Self::found(self.mid.mul(&b.mid, bits), rad)
     }
 
-    /// Gives the centre as many bits as `b` has, and no fewer than before; its value is the same.
-    fn grow(&mut self, b: &Self) {
-        if self.bits() < b.bits() {
-            self.mid.set_prec(b.bits());
-        }
+    /// The bits of a result: the more of both.
+    fn common_bits(&self, b: &Self) -> u32 {
+        self.bits().max(b.bits()) // M1: any number of bits
     }
 
-    /// `op` in place, rounded to nearest, on radii that add up to `rad` (Lemma M1).
+    /// `op` on the centre, which it takes the memory of, and radii that add up to `rad` (Lemma M1).
     #[inline]
-    fn set(&mut self, rad: Magnitude, op: impl FnOnce(&mut Float) -> Ordering) {
-        let ordering = op(&mut self.mid);
-        self.rad = rad + error_of(&self.mid, ordering);
+    fn set(&mut self, rad: Magnitude, op: impl FnOnce(Float) -> (Float, bool)) {
+        let (mid, is_exact) = op(mem::replace(&mut self.mid, Float::zero(0)));
+        self.rad = rad + error_of(&mid, is_exact);
+        self.mid = mid;
     }
 }
 
 impl AddAssign<&Self> for MpBall {
     fn add_assign(&mut self, b: &Self) {
-        self.grow(b);
-        self.set(self.sum_spread(b), |mid| mid.add_assign_round(&b.mid, Round::Nearest));
+        let bits = self.common_bits(b);
+        self.set(self.sum_spread(b), |mid| mid.add(&b.mid, bits, Round::Nearest));
     }
 }
 
 impl SubAssign<&Self> for MpBall {
     fn sub_assign(&mut self, b: &Self) {
-        self.grow(b);
-        self.set(self.sum_spread(b), |mid| mid.sub_assign_round(&b.mid, Round::Nearest));
+        let bits = self.common_bits(b);
+        self.set(self.sum_spread(b), |mid| mid.sub(&b.mid, bits, Round::Nearest));
     }
 }
 
 impl MulAssign<&Self> for MpBall {
     fn mul_assign(&mut self, b: &Self) {
-        let rad = self.product_spread(b);
-        self.grow(b);
-        self.set(rad, |mid| mid.mul_assign_round(&b.mid, Round::Nearest));
+        let (rad, bits) = (self.product_spread(b), self.common_bits(b));
+        self.set(rad, |mid| mid.mul(&b.mid, bits));
     }
 }
 
 impl Mul for MpBall {
     type Output = Self;
-    fn mul(mut self, mut b: Self) -> Self {
-        let rad = self.product_spread(&b);
-        if self.bits() < b.bits() {
-            std::mem::swap(&mut self, &mut b);
-        }
-        self.set(rad, |mid| mid.mul_assign_round(&b.mid, Round::Nearest));
-        self
+    fn mul(self, b: Self) -> Self {
+        self.times(&b)
     }
 }
 
 impl Number for MpBall {
     fn from_f64(x: f64) -> Self {
-        Self::exact(Float::with_val(f64::MANTISSA_DIGITS, x))
+        Self::exact(Float::new(x))
     }
 
-    fn mul_add(mut self, b: Self, c: Self) -> Self {
-        // M1: any number of bits
-        if self.bits().max(b.bits()) <= c.bits() {
-            return self.mul_add_ref(&b, c);
-        }
-        let rad = self.product_spread(&b) + c.rad;
-        [&b, &c].into_iter().for_each(|x| self.grow(x));
-        self.set(rad, |mid| mid.mul_add_round(&b.mid, &c.mid, Round::Nearest));
-        self
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        self.mul_add_ref(&b, c)
     }
 
-    fn checked_div(mut self, b: Self) -> Option<Self> {
+    fn checked_div(self, b: Self) -> Option<Self> {
         let least = b.mig()?;
-        let rad = self.rad;
-        self.grow(&b);
-        self.set(Magnitude::ZERO, |mid| mid.div_assign_round(&b.mid, Round::Nearest));
-        let spread = (rad + magnitude(&self.mid) * b.rad).over(least);
+        let (mid, error) = rounding(self.mid.div(&b.mid, self.common_bits(&b)));
+        let spread = (self.rad + mid.magnitude() * b.rad).over(least);
         // The rounding is that of the centres' quotient; a member's quotient differs by |m| r_b / |b| of it more.
-        let error = self.rad + self.rad * b.rad.over(least);
-        Some(Self { rad: spread + error, ..self })
+        let error = error + error * b.rad.over(least);
+        Some(Self { mid, rad: spread + error })
     }
 
     fn plus(mut self, b: &Self) -> Self {
@@ -156,35 +139,28 @@ impl Number for MpBall {
         self
     }
 
-    fn mul_add_ref(&self, b: &Self, mut c: Self) -> Self {
-        [self, b].into_iter().for_each(|x| c.grow(x));
-        if c.bits() >= SHORT_PRODUCT_BITS {
-            let product = self.product(b, c.bits());
-            return c.plus(&product);
-        }
-        let rad = self.product_spread(b) + c.rad;
-        c.set(rad, |mid| mid.add_assign_round(&self.mid * &b.mid, Round::Nearest));
-        c
+    fn mul_add_ref(&self, b: &Self, c: Self) -> Self {
+        self.fused(b, false, c)
     }
 
-    fn mul_sub_ref(&self, b: &Self, mut c: Self) -> Self {
-        [self, b].into_iter().for_each(|x| c.grow(x));
-        if c.bits() >= SHORT_PRODUCT_BITS {
-            let product = self.product(b, c.bits());
-            return c.minus(&product);
-        }
-        let rad = self.product_spread(b) + c.rad;
-        c.set(rad, |mid| mid.sub_assign_round(&self.mid * &b.mid, Round::Nearest));
-        c
+    fn mul_sub_ref(&self, b: &Self, c: Self) -> Self {
+        self.fused(b, true, c)
     }
 
     fn turn(&self) -> Self {
-        let (pi, error) = rounding(Float::with_val_round(self.bits(), Constant::Pi, Round::Nearest));
-        let two = Magnitude::new(2.0, 0);
-        Self { mid: pi * 2u32, rad: error * two }
+        let (turn, error) = sine::turn(self.bits());
+        Self { mid: turn, rad: error }
     }
 
     fn signed(self, sign: f64) -> Self {
         if sign < 0.0 { -self } else { self }
+    }
+}
+
+impl MpBall {
+    /// `c + self * b`, or `c - self * b`, rounded once.
+    fn fused(&self, b: &Self, is_difference: bool, c: Self) -> Self {
+        let bits = self.common_bits(b).max(c.bits()); // M1: any number of bits
+        Self::found(self.mid.fused(&b.mid, is_difference, &c.mid, bits), self.product_spread(b) + c.rad)
     }
 }

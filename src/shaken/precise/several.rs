@@ -1,12 +1,10 @@
 //! First contacts of a set in multiprecision: isolated in doubles, if they suffice, and refined (Lemma M3).
 
-use rug::Float;
-
 use super::{Arrival, Flights, Precise, Precisely};
 use crate::contact::multiprecision::Passed;
 use crate::contact::{Contact, Undecided};
 use crate::flight::Launch;
-use crate::number::{Ball, LEAST_BITS, Magnitude, MpBall, Number};
+use crate::number::{Ball, Float, LEAST_BITS, Magnitude, MpBall, Number};
 use crate::several::{FlightNumber, Found, Harmonics, Instant, Scan, SumFlight, pass};
 use crate::shaken::{SeveralHarmonics, Sum};
 
@@ -45,7 +43,7 @@ impl Isolated {
     /// The contact of one flight of the set to `bits` bits: Lemma M3.
     fn refine(&self, flight: &SumFlight<'_, MpBall>, bits: u32) -> Option<Instant<MpBall>> {
         let limit = MpBall::new(self.rest.clone(), Magnitude::new(self.reach, 0));
-        let mut at = Instant { turns: self.turns, rest: MpBall::exact(Float::with_val(bits, &self.rest)) };
+        let mut at = Instant { turns: self.turns, rest: MpBall::exact(self.rest.rounded(bits)) };
         let (wall, mut before) = (self.contact.wall, Magnitude::INFINITE);
         loop {
             let state = flight.state(&at);
@@ -77,7 +75,7 @@ impl Isolated {
         let state = flight.state(at);
         let error = state.room(self.contact.wall).mag().over(Magnitude::new(self.least, 0));
         let sum = flight.launch.phase.clone() + at.rest.clone();
-        let phase = Float::with_val(bits, sum.mid());
+        let phase = sum.mid().rounded(bits);
         let rounding = (MpBall::exact(phase.clone()) - sum).mag();
         let velocity = state.velocity.widened(rounding * Magnitude::new(flight.harmonics.rates.second, 0));
         (phase, error + rounding, velocity)
@@ -100,7 +98,7 @@ impl SeveralHarmonics {
         let doubles = [launch, middle].map(|launch| SumFlight::new(&self.balls.harmonics, launch, None));
         let isolated = match Scan::new(&doubles[0], &doubles[1]).first(&mut self.reach()) {
             Ok(found) => {
-                let rest = Float::with_val(f64::MANTISSA_DIGITS, found.at.rest.mid());
+                let rest = Float::new(found.at.rest.mid());
                 Isolated::new(&found, rest, found.at.time(), start, doubles[0].acceleration)
             }
             Err(_) => {
