@@ -121,13 +121,13 @@ pub use impact_pair_model::scene;
 pub use impact_pair_model::watch;
 pub use impact_pair_model::{Error, ErrorKind, Excitation, Harmonic, ImpactPair, Scene};
 /// The package inari, in the version that this crate computes with; in a build with the feature `inari`.
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 pub use inari;
 
 /// The examples of the README and of the manual are tests as well.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
-#[cfg(all(doctest, feature = "multiprecision"))]
+#[cfg(doctest)]
 #[doc = include_str!("../docs/howto/programs.md")]
 struct Programs;

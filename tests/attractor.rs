@@ -81,7 +81,6 @@ fn chaotic_figures_and_short_runs_are_not_called_attracted() {
 
 /// The system of figure 14 at gaps near the printed one, from starts near stable orbits (found in floats, proved by `periodic`): one of 44
 /// impacts that is its own mirror image after 22, and one of 35 that doubles do not prove.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r35_stable_orbits_of_44_and_of_35_impacts_beside_figure_14_are_recognised() {
     for (gap, phase, speed, impacts, cycles) in [
@@ -262,7 +261,6 @@ fn r62_a_round_of_the_word_is_listed() {
 }
 
 /// In doubles the sets of this motion stay wider than what is proved to be attracted; followed a little in more bits they do not.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r62_attraction_is_proved_of_motions_that_doubles_leave_too_wide() {
     let scene = Scene::parse(

@@ -1,5 +1,4 @@
 //! Bifurcations through the public API: against the closed forms, and against the stability of the orbits beside them.
-#![cfg(feature = "multiprecision")]
 
 use std::sync::atomic::{AtomicU32, Ordering};
 

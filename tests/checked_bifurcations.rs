@@ -1,5 +1,4 @@
 //! Bifurcation JSONs: those that are computed are confirmed by `check`, and nothing else.
-#![cfg(feature = "multiprecision")]
 
 use crate::effort::effort;
 use impact_pair::Scene;

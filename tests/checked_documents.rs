@@ -1,5 +1,4 @@
 //! Sweeps, and documents one after another: what `check` proves of them, and nothing else is confirmed.
-#![cfg(feature = "multiprecision")]
 
 use crate::effort::effort;
 use impact_pair::Scene;

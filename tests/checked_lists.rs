@@ -1,5 +1,4 @@
 //! Lists of orbits: what `check` proves of cycles with their counts, and that none is listed twice.
-#![cfg(feature = "multiprecision")]
 
 use crate::checked_documents::{SCENE, is_confirmed, judged, two_impact, verdict};
 use crate::effort::effort;

@@ -1,7 +1,5 @@
 //! Searches for all periodic orbits of a word through the public API: what they find, and that nothing else is there.
 
-#![cfg(feature = "multiprecision")]
-
 use crate::periodic::{all, complete, pair, physical, problem};
 use impact_pair::periodic::newton::{is_plausible, polish};
 use impact_pair::periodic::{Chain, Precision, Stability};

@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use impact_pair::Scene;
 use impact_pair::chaos::{NoTrap, Trap};
 use impact_pair::contact::Reason;
-#[cfg(feature = "multiprecision")]
 use impact_pair::orbit::Progress;
 use impact_pair::orbit::{Impact, Orbit, Outcome, Settings};
 use impact_pair::watch::{Stage, proceed_if};
@@ -127,7 +126,6 @@ fn r17_zeros_in_disguise_are_zeros() {
 
 /// Chatter that begins `1e-16` forcing periods after the contact force does was listed down to the smallest double and then for ever.
 #[test]
-#[cfg(feature = "multiprecision")]
 fn r17_chatter_at_the_edge_of_the_pressure_is_a_rest() {
     for restitution in ["1e-30", "1e-40", "0.01", "1e-4"] {
         let pair = format!("gap = 1, restitution = \"{restitution}\"");

@@ -62,7 +62,7 @@ fn the_figures_reach_as_far_as_doubles_certify() {
 }
 
 /// The textbook's method: the same impacts as far as it goes, which is less far, and never without an end.
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 #[test]
 fn plain_interval_arithmetic_agrees_as_far_as_it_goes() {
     for (name, least) in [("12", 1000), ("13", 1000), ("14", 50), ("15", 110), ("16", 75), ("17", 45)] {
@@ -79,7 +79,7 @@ fn plain_interval_arithmetic_agrees_as_far_as_it_goes() {
     }
 }
 
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 #[test]
 fn the_textbooks_method_is_known_of_one_harmonic() {
     let text = include_str!("../scenes/two-tones.toml");
@@ -90,7 +90,7 @@ fn the_textbooks_method_is_known_of_one_harmonic() {
 }
 
 /// A request by name or by its variant gives an error that names the feature.
-#[cfg(not(feature = "inari"))]
+#[cfg(not(all(feature = "inari", target_feature = "fma")))]
 #[test]
 fn the_textbooks_method_is_a_feature() {
     let settings = Settings { arithmetic: Arithmetic::Inari, ..Settings::default() };
@@ -195,7 +195,6 @@ proptest! {
 
 /// Random motions on walls and inside the gap, many of them chaotic: with small boxes and slow starts a floating-point run soon has another number
 /// of impacts.
-#[cfg(feature = "multiprecision")]
 fn motions() -> impl Strategy<Value = Scene> {
     let velocity = || prop_oneof![Just(0.0), 0.0..3.0f64, 0.0..20.0f64];
     let start = prop_oneof![
@@ -218,7 +217,6 @@ fn motions() -> impl Strategy<Value = Scene> {
 }
 
 /// Follows a motion to its end: its outcome and its last impact's time, none of which is wider than requested.
-#[cfg(feature = "multiprecision")]
 fn followed(scene: &Scene, impacts: Option<u64>, until: Option<Exact>) -> (Option<Outcome>, u64, Option<Enclosure>) {
     let mut orbit = Orbit::of(scene, Settings { impacts, until, ..Settings::default() }).unwrap();
     let last = orbit.by_ref().last().map(|last| orbit.bounds(&last).0);
@@ -226,7 +224,6 @@ fn followed(scene: &Scene, impacts: Option<u64>, until: Option<Exact>) -> (Optio
     (orbit.outcome().cloned(), orbit.listed(), last)
 }
 
-#[cfg(feature = "multiprecision")]
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -244,7 +241,6 @@ proptest! {
 }
 
 /// The floating-point run, which the bits are planned from, has fewer impacts up to a time than the true orbit.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r62_the_bits_of_an_orbit_with_more_impacts_than_planned_are_raised() {
     let scene = Scene::parse(
@@ -256,7 +252,6 @@ fn r62_the_bits_of_an_orbit_with_more_impacts_than_planned_are_raised() {
 }
 
 /// The plan follows the impacts requested, and not all up to a time far beyond them: of 45 harmonics these took half a minute.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r62_the_impacts_requested_end_the_plan_for_a_late_time() {
     let listed = |of: fn(u32) -> String| (1..=45).map(of).collect::<Vec<_>>().join(", ");

@@ -1,7 +1,5 @@
 //! Periodic orbits through the public API: known ones, and each run again by the certified orbit.
 
-#![cfg(feature = "multiprecision")]
-
 use crate::tolerances::{DETERMINANT, TRACE, VIETA};
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use impact_pair::exact::{Enclosure, Exact};

@@ -1,7 +1,5 @@
 //! Periodic orbits under several harmonics, Lemmas H10-H12: against one harmonic in two terms, against certified runs.
 
-#![cfg(feature = "multiprecision")]
-
 use crate::tolerances::{PHASE, TRACE};
 use approx::abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};

@@ -148,7 +148,6 @@ proptest! {
     #[test]
     fn arithmetics_agree(case in sum()) {
         let (doubles, _) = case.events(Arithmetic::Interval, 20);
-        #[cfg(feature = "multiprecision")]
         for arithmetic in [Arithmetic::Bits(200), Arithmetic::Auto] {
             agree(&doubles, &case.events(arithmetic, 20).0)?;
         }
@@ -250,7 +249,6 @@ fn i62_without_drift_common_periods_decide_that_nothing_is_touched() {
 }
 
 /// The contact force of the left wall is 4 (1 - 2 cos x)(1 + cos x), x = t/8: it touches 0 at x = pi and ends at x = 5 pi/3 (Lemma H15).
-#[cfg(feature = "multiprecision")]
 #[test]
 fn i62_a_ball_stays_where_the_contact_force_touches_0() {
     let moves = |start: &str| {
@@ -275,7 +273,6 @@ fn i62_a_ball_stays_where_the_contact_force_touches_0() {
 
 /// Under commensurate frequencies a second release at the same zero of the pressure makes the motion periodic; under
 /// others it never does. To nine digits for so long that takes more than doubles.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn only_commensurate_motions_are_called_periodic() {
     let rest = "pair = { gap = 9.42497, restitution = 0.3 }\nstart = { time = 0, wall = \"left\", velocity = -0.5 }";

@@ -34,11 +34,9 @@ fn events(scene: &Scene, arithmetic: Arithmetic, impacts: u64) -> (Vec<Progress>
     }
 }
 
-/// The arithmetics of this build; those that decide the scenes of few digits come last.
+/// The arithmetics; those that decide the scenes of few digits come last.
 fn arithmetics() -> Vec<Arithmetic> {
-    let names = ["interval", "auto", "64", "128", "256", "1024"];
-    let count = if cfg!(feature = "multiprecision") { names.len() } else { 2 };
-    names[..count].iter().map(|name| name.parse().unwrap()).collect()
+    ["interval", "auto", "64", "128", "256", "1024"].map(|name| name.parse().unwrap()).to_vec()
 }
 
 fn rational(text: &str) -> BigRational {
@@ -94,7 +92,7 @@ fn r14_half_a_turn_is_decided_before_the_half_is_added() {
             decided += 1;
         }
     }
-    assert!(decided >= 6 || cfg!(not(feature = "multiprecision")));
+    assert!(decided >= 6);
 }
 
 #[test]
@@ -240,7 +238,6 @@ fn r16_after_what_may_have_been_a_touch_no_mapping_is_named_that_may_be_false() 
 }
 
 #[test]
-#[cfg(feature = "multiprecision")]
 fn r16_a_graze_of_the_wall_that_was_left_leaves_no_doubt_of_the_mapping() {
     // mpmath, 60 digits: the minimum at 2.9192 comes within 10^-44 of the left wall, the maximum at 4.51 is 2.05 from it.
     let text = "excitation = { amplitude = 1, frequency = 2, phase = 2 }\npair = { gap = 2, restitution = 0.5 }\n\
@@ -286,9 +283,7 @@ fn r32_what_is_undecided_may_happen_from_the_time_given_on() {
         (one, "0.5", inside, "interval", "17.7044"),
         (two, "0.5", inside, "interval", "15.6667"),
         (opposite, "1", fast, "interval", "5.2807"),
-        #[cfg(feature = "multiprecision")]
         (one, "0.5", "position = 0, velocity = \"1e-12-2*pi*0.1\"", "64", "400000000000.75"),
-        #[cfg(feature = "multiprecision")]
         (
             "amplitude = \"0.05\", frequency = \"2*pi\", phase = \"0-1e-8\"",
             "1e-30",
@@ -304,7 +299,6 @@ fn r32_what_is_undecided_may_happen_from_the_time_given_on() {
     }
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r32_no_event_is_listed_after_the_time_to_stop_at() {
     // The first impact is at 0.551348020218521190909... (mpmath, 50 digits: (A.4) of figure 14): 40 digits distinguish it from the requested time.
@@ -317,7 +311,6 @@ fn r32_no_event_is_listed_after_the_time_to_stop_at() {
 }
 
 /// At large times a time to stop at with more digits than are listed is compared as it is written, not as it is enclosed.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r32_a_time_to_stop_at_of_many_digits_is_compared_exactly() {
     let scene = Scene::parse(

@@ -1,11 +1,10 @@
 //! The requested start and the start of the certified orbit: inside the gap, where the direction is uncertain, motions are followed from
 //! a later state (Lemma R3), and claims about the start refer to the scene's time and place.
-#![cfg(feature = "multiprecision")]
 
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap, seen_impacts};
 use impact_pair::covering::Shadow;
 use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::orbit::{Arithmetic, Dense, Impact, Orbit, Place, Settings, Start};
+use impact_pair::orbit::{Arithmetic, Dense, INARI, Impact, Orbit, Place, Settings, Start};
 use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
 use impact_pair::watch::Unwatched;
@@ -203,7 +202,7 @@ fn r32_the_motion_between_the_given_start_and_the_one_followed_is_known() {
 fn a_start_outside_the_box_of_a_pair_is_refused_by_all_that_follow_it() {
     let wide = scene(ONE, "0", "1", "-1");
     let (pair, start) = (wide.pair().with(Key::Gap, Exact::parse("0.1").unwrap()).unwrap(), wide.start());
-    let inari = cfg!(feature = "inari").then_some(Arithmetic::Inari);
+    let inari = INARI.then_some(Arithmetic::Inari);
     let arithmetics =
         [Arithmetic::Auto, Arithmetic::Interval, Arithmetic::Bits(128), Arithmetic::Shadow, Arithmetic::Float];
     let mut refused: Vec<Option<Error>> = Vec::new();

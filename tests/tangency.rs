@@ -35,7 +35,6 @@ fn holds(bounds: &impact_pair::exact::Enclosure, number: &str) -> bool {
     bounds.intersection(&number.add(&last, 400).hull(&number.sub(&last, 400))).is_some()
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn both_tangencies_of_figure_14_are_proved_to_30_digits() {
     let first = found("gap=9.4249..9.4252", FIRST, 30);
@@ -69,7 +68,6 @@ fn over_the_amplitude_the_ratio_is_the_same() {
 }
 
 /// At the gap of the tangency for e = 1/2 the restitution of the tangency is 1/2.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn over_the_restitution_the_tangency_is_the_same() {
     let gap = "gap = \"8*1.17814079711090061855399854994343000656779766745018\"";

@@ -1,6 +1,5 @@
 //! Windows of stable orbits through the public API: against the closed forms of two impacts, and against sinks of figure 14 that were found
 //! and proved by other programs.
-#![cfg(feature = "multiprecision")]
 
 use impact_pair::Scene;
 use impact_pair::chaos::{WindowSettings, Windows};

@@ -1,7 +1,5 @@
 //! Atlases: a row a point or cell, the same whatever the shards and interruptions; the page; what is refused.
 
-#![cfg(feature = "multiprecision")]
-
 use std::fs;
 use std::io::Write;
 use std::path::Path;

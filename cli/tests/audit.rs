@@ -119,7 +119,6 @@ snapshots! {
     arguments_of_audit: LIST, ["--help"];
 }
 
-#[cfg(feature = "multiprecision")]
 snapshots! {
     a_list_as_json: LIST.replace("3.5755051", "3.5755061"), [FIGURE_14[0], FIGURE_14[1], "--format", "json"];
     a_list_whose_end_is_undecided:
@@ -263,7 +262,6 @@ fn skipped_impacts_of_a_chatter_are_neither_false_nor_missed() {
     assert_eq!(disagreements(&document), [("missed".into(), 4), ("missed".into(), 5)]);
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn a_graze_need_not_be_listed() {
     let impacts = "1.3574628917487979 right\n1.9989856537174956 left\n";
@@ -293,7 +291,6 @@ fn a_list_is_compared_up_to_a_time() {
     assert_eq!(disagreements(&document), [("missed".into(), 9)]);
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn the_first_impact_of_another_orbit_is_named() {
     let floats =
@@ -340,22 +337,18 @@ fn a_corrupted_time_is_not_followed_to() {
     let list = format!("{LIST}1e9,left,1\n");
     let document = judged(&list, &FIGURE_14, 1);
     let events = document["events"].as_array().unwrap();
-    assert_eq!((&events[0]["verdict"], &events[events.len() - 1]["verdict"]), (&"inside".into(), &LAST.into()));
+    assert_eq!(
+        (&events[0]["verdict"], &events[events.len() - 1]["verdict"]),
+        (&"inside".into(), &"not-reached".into())
+    );
     assert_eq!(document["counts"]["inside"], 8);
-    if cfg!(feature = "multiprecision") {
-        // A thousand beyond two a row; of those eight are there.
-        assert_eq!((&document["counts"]["missed"], &document["counts"]["not_reached"]), (&1011.into(), &1.into()));
-        let said =
-            "disagreed: 1011 impacts; not followed beyond impact 1019: the list lacks more impacts than it has rows";
-        assert_eq!(document["message"], said);
-    }
+    // A thousand beyond two a row; of those eight are there.
+    assert_eq!((&document["counts"]["missed"], &document["counts"]["not_reached"]), (&1011.into(), &1.into()));
+    let said = "disagreed: 1011 impacts; not followed beyond impact 1019: the list lacks more impacts than it has rows";
+    assert_eq!(document["message"], said);
 }
 
-/// In doubles chaos comes first.
-const LAST: &str = if cfg!(feature = "multiprecision") { "not-reached" } else { "undecided" };
-
-/// In doubles it would be too fast.
-#[cfg(all(unix, feature = "multiprecision"))]
+#[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_the_verdicts() {
     let folder = common::folder("audit-interrupted");

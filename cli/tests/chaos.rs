@@ -1,7 +1,5 @@
 //! `impact-pair trap` and `impact-pair chaos`: snapshots, and what of a document may be relied on.
 
-#![cfg(feature = "multiprecision")]
-
 use std::collections::BTreeSet;
 use std::f64::consts::LN_2;
 use std::fs;

@@ -1,7 +1,5 @@
 //! `impact-pair cycles`: snapshots, and what of a document may be relied on.
 
-#![cfg(feature = "multiprecision")]
-
 use std::fs;
 
 use crate::common::{EXACT, folder, program, snapshots};

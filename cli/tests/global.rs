@@ -1,7 +1,5 @@
 //! `impact-pair global`: snapshots, and documents that are checked.
 
-#![cfg(feature = "multiprecision")]
-
 use std::fs;
 
 use serde_json::Value;

@@ -141,7 +141,6 @@ mod interrupted {
         assert!(curves.len() < 50 && curves.iter().all(|curve| !curve["points"].as_array().unwrap().is_empty()));
     }
 
-    #[cfg(feature = "multiprecision")]
     #[test]
     fn bifurcations_keep_those_that_are_proved() {
         let over = ["--over", "amplitude=0.03..0.499", "--doublings", "8", "--digits", "400"];

@@ -1,7 +1,5 @@
 //! Snapshots of `impact-pair periodic`: stdout, stderr and exit code together.
 
-#![cfg(feature = "multiprecision")]
-
 use crate::common;
 use crate::common::{UNCERTAIN, snapshots, verb};
 use insta_cmd::assert_cmd_snapshot;

@@ -5,7 +5,6 @@
 
 use crate::common;
 use crate::common::{UNCERTAIN, program, run, snapshots};
-#[cfg(feature = "multiprecision")]
 use crate::common::{answer_to, scene};
 
 snapshots! { UNCERTAIN;
@@ -33,7 +32,6 @@ snapshots! { UNCERTAIN;
     unknown_verb: program(&["juggle"]);
 }
 
-#[cfg(feature = "multiprecision")]
 snapshots! { UNCERTAIN;
     cascade_as_a_table: program(&["bifurcations", "scenes/cascade.toml", "--word", "RL", "--cycles", "1",
         "--over", "amplitude=0.3..0.499", "--digits", "20"]);
@@ -92,33 +90,13 @@ fn outcomes_for_all_time_are_stated() {
     assert_eq!(outcome["kind"], "periodic");
 }
 
-#[cfg(not(feature = "inari"))]
+#[cfg(not(all(feature = "inari", target_feature = "fma")))]
 #[test]
 fn a_build_without_the_textbooks_method_says_so() {
     let answer = run(&["scenes/figure-12.toml", "--arithmetic", "inari"]).output().unwrap();
     let text = String::from_utf8(answer.stderr).unwrap();
     assert_eq!(answer.status.code(), Some(2));
     assert!(text.contains("build impact-pair with the cargo feature \"inari\""), "{text}");
-}
-
-#[cfg(not(feature = "multiprecision"))]
-#[test]
-fn a_build_in_doubles_says_so() {
-    let answer = run(&["scenes/figure-12.toml", "--arithmetic", "128"]).output().unwrap();
-    let text = String::from_utf8(answer.stderr).unwrap();
-    assert_eq!(answer.status.code(), Some(2));
-    let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
-    let accepted = format!("auto, float, interval, {inari}shadow and, in a build with multiprecision, numbers of bits");
-    assert!(text.contains(&accepted), "{text}");
-}
-
-#[cfg(not(feature = "multiprecision"))]
-#[test]
-fn doubles_end_where_the_digits_do() {
-    let answer = run(&["scenes/figure-14.toml", "--impacts", "200"]).output().unwrap();
-    let text = String::from_utf8(answer.stdout).unwrap();
-    assert_eq!(answer.status.code(), Some(1));
-    assert!(text.contains("try fewer --digits, or --arithmetic interval"), "{text}");
 }
 
 #[test]
@@ -131,7 +109,6 @@ fn figure_14_ends_where_the_set_is_too_wide() {
     assert!(last.ends_with(" is the first one wider than 9 digits; try --arithmetic auto"), "{last}");
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn every_scene_of_the_repository_is_certified() {
     let scenes = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes")).unwrap();
@@ -228,7 +205,6 @@ fn reached(last: &str) -> u64 {
 }
 
 /// Each advice is followed in its case and leads further; where none is known to help, none is given.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r62_advice_leads_further() {
     let last = |scene: &str, arguments: &str| {

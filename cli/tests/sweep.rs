@@ -17,11 +17,8 @@ fn sweep(arguments: &[&str]) -> Command {
 const DIAGRAM: [&str; 7] =
     ["scenes/figure-14.toml", "--over", "amplitude=4..9:21", "--transient", "60", "--impacts", "12"];
 
-/// Exit code of a sweep of the chaotic scene: 1 without multiprecision, since some points are undecided then.
-const EXIT_CODE: i32 = if cfg!(feature = "multiprecision") { 0 } else { 1 };
-
 fn written(command: &mut Command, file: &Path) -> Vec<u8> {
-    written_with(EXIT_CODE, command, file)
+    written_with(0, command, file)
 }
 
 fn written_with(code: i32, command: &mut Command, file: &Path) -> Vec<u8> {
@@ -68,7 +65,7 @@ fn shards_put_together_are_the_whole() {
     for format in formats {
         let whole = written(sweep(&DIAGRAM).args(["--format", format]), &folder.join("whole"));
         let merged = sweep(&["--merge", &three, &one, &two, "--format", format]).output().unwrap();
-        assert_eq!((merged.status.code(), merged.stdout == whole), (Some(EXIT_CODE), true), "{format}");
+        assert_eq!((merged.status.code(), merged.stdout == whole), (Some(0), true), "{format}");
     }
     let merge = |shards: &[&str]| error(&sweep(&[&["--merge"], shards].concat()).output().unwrap());
     assert!(merge(&[&one, &two]).contains("shard 3/3 is missing"));
@@ -234,7 +231,6 @@ fn undecided_points_stay_with_what_is_certified() {
     assert_eq!(head["certified"], false);
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn a_graze_is_passed_and_has_no_exponent() {
     let arguments = ["scenes/graze.toml", "--over", "restitution=0.4..0.5:2", "--transient", "0", "--impacts", "8"];

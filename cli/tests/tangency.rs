@@ -1,7 +1,5 @@
 //! `impact-pair tangency`: snapshots, and a document that is checked.
 
-#![cfg(feature = "multiprecision")]
-
 use std::fs;
 
 use crate::common::{self, EXACT, UNCERTAIN, folder, program, snapshots};

@@ -5,6 +5,7 @@ use std::fs;
 use std::process::Command;
 
 use crate::common::{files, folder, verb};
+use impact_pair::orbit::INARI;
 use impact_pair_certificate::document::TradeDocument;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
@@ -14,7 +15,6 @@ fn trade(arguments: &[&str]) -> Command {
 }
 
 /// Times, widths and errors, with the spaces before them; sizes are tested where they are proved.
-#[cfg(feature = "multiprecision")]
 const MEASURED: [(&str, &str); 4] = [
     (r"(auto, \d+ digits) +\d+", "$1  (bits)"),
     (r" +\d+\.?\d* +([\d.]+|-) +\d\.\de\d+ ", "  (time)  (time)  (rate) "),
@@ -31,7 +31,7 @@ fn the_help_names_each_arithmetic_of_the_rows() {
     }
 }
 
-#[cfg(all(feature = "multiprecision", feature = "inari"))]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 #[test]
 fn the_table() {
     insta::with_settings!({ filters => MEASURED.to_vec() }, {
@@ -78,8 +78,7 @@ fn document_and_picture_are_written_atomically() {
     assert_eq!(serde_json::to_value(&read).unwrap(), document);
     has_the_shape_of_a_trade(&document);
     let picture = common::words(&fs::read_to_string(&picture).unwrap());
-    let judged = if cfg!(feature = "multiprecision") { "wrong word from" } else { "judged to" };
-    let wrong = &format!("float ({judged} impact ");
+    let wrong = "float (wrong word from impact ";
     for word in ["<svg", "Figure 14", "A = 8, Ω = π", wrong, "certified digits", "[µs]", "</svg>"] {
         assert!(picture.contains(word), "no {word}");
     }
@@ -94,9 +93,8 @@ fn has_the_shape_of_a_trade(document: &Value) {
     let rows = document["arithmetics"].as_array().unwrap();
     let names: Vec<_> = rows.iter().map(|arithmetic| arithmetic["name"].as_str().unwrap()).collect();
     let auto = ["auto, 3 digits", "auto, 9 digits", "auto, 15 digits", "auto, 30 digits", "auto, 100 digits"];
-    let bits: &[&str] = if cfg!(feature = "multiprecision") { &["64 bits", "128 bits"] } else { &[] };
-    let textbook: &[&str] = if cfg!(feature = "inari") { &["inari"] } else { &[] };
-    assert_eq!(names, [&["float", "interval"], textbook, &["shadow"], bits, &auto].concat());
+    let textbook: &[&str] = if INARI { &["inari"] } else { &[] };
+    assert_eq!(names, [&["float", "interval"], textbook, &["shadow", "64 bits", "128 bits"], &auto].concat());
     for arithmetic in rows {
         let impacts = arithmetic["impacts"].as_u64().unwrap();
         assert_eq!(arithmetic["complete"], Value::Bool(impacts == 120), "{arithmetic}");
@@ -134,12 +132,8 @@ fn has_the_shape_of_a_trade(document: &Value) {
     let [nine, ..] = truth["time_errors"].as_array().unwrap().as_slice() else { panic!("no errors: {truth}") };
     assert_eq!(nine["threshold"], "1e-9");
     assert!(nine["within"].as_u64().unwrap() > 20);
-    if cfg!(feature = "multiprecision") {
-        assert_eq!(nine["within"].as_u64().unwrap() + 1, nine["exceeded"].as_u64().unwrap());
-        assert_eq!(truth["judged"].as_u64().unwrap() + 1, truth["leaves_word"]["impact"].as_u64().unwrap());
-    } else {
-        assert!(truth["judged"].as_u64().unwrap() < 120 && truth["leaves_word"].is_null());
-    }
+    assert_eq!(nine["within"].as_u64().unwrap() + 1, nine["exceeded"].as_u64().unwrap());
+    assert_eq!(truth["judged"].as_u64().unwrap() + 1, truth["leaves_word"]["impact"].as_u64().unwrap());
 }
 
 #[cfg(unix)]

@@ -1,7 +1,5 @@
 //! `impact-pair windows`: snapshots, and a document that is checked.
 
-#![cfg(feature = "multiprecision")]
-
 use std::fs;
 
 use crate::common::{EXACT, folder, program, snapshots};

@@ -47,7 +47,7 @@ use num_rational::BigRational;
 use crate::contact::Reason as Doubt;
 use crate::document::Conclusion;
 use crate::exact::{Enclosure, Exact};
-use crate::orbit::{Arithmetic, MAX_BITS, MULTIPRECISION, Settings};
+use crate::orbit::{Arithmetic, MAX_BITS, Settings};
 use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};
 use crate::watch::Watch;
@@ -83,9 +83,8 @@ impl Default for AuditSettings {
 impl AuditSettings {
     /// Settings of the certified orbit up to the time `until`.
     fn settings(&self, until: Exact) -> Settings {
-        let arithmetic = if MULTIPRECISION { Arithmetic::Auto } else { Arithmetic::Interval };
         let run = Run { impacts: None, until: Some(until), digits: Some(self.digits()) };
-        Settings { max_bits: self.max_bits, ..run.settings(arithmetic) }
+        Settings { max_bits: self.max_bits, ..run.settings(Arithmetic::Auto) }
     }
 
     /// The requested digits, or the digits that the tolerance needs.

@@ -11,12 +11,11 @@ mod certify;
 mod extrema;
 mod judges;
 mod lanes;
-#[cfg(feature = "multiprecision")]
 pub(crate) mod multiprecision;
 mod solve;
 #[cfg(test)]
 mod tests;
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 pub mod textbook;
 
 pub use bounds::{Margins, Radii};
@@ -133,7 +132,6 @@ pub struct Contact<N> {
 
 /// A contact that may be a graze, passed into the gap; times in forcing periods, heights in gaps, in doubles.
 #[derive(Debug)]
-#[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
 pub(crate) struct Grazed {
     /// The wall that may have been touched.
     pub wall: Wall,

@@ -14,7 +14,6 @@ fn scene(name: &str) -> Scene {
 }
 
 /// Figure 14 with an overtone.
-#[cfg(feature = "multiprecision")]
 fn overtone() -> Scene {
     let text = r#"
         excitation = { amplitude = [8, 1], frequency = ["pi", "3*pi"], phase = [0, 1] }
@@ -24,7 +23,6 @@ fn overtone() -> Scene {
 }
 
 /// Figure 14 from inside the gap.
-#[cfg(feature = "multiprecision")]
 fn inside() -> Scene {
     let text = r#"
         excitation = { amplitude = 8, frequency = "pi", phase = 0.3 }
@@ -73,7 +71,6 @@ fn regular_orbits_are_not_shadowed() {
 }
 
 /// Lemma F2: there is a start in the segment whose orbit is in all nodes. It is found by secants, in multiprecision.
-#[cfg(feature = "multiprecision")]
 mod refined {
     use super::*;
     use crate::exact::{Enclosure, Exact};

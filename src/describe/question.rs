@@ -11,7 +11,7 @@ use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
 use crate::exact::Exact;
 use crate::lyapunov::{Exponent, Unknown};
-use crate::orbit::{BITS, MULTIPRECISION};
+use crate::orbit::BITS;
 use crate::several::Spectrum;
 use crate::{Error, Scene};
 
@@ -90,7 +90,7 @@ impl Description {
                 format!("does the motion converge to a periodic orbit after impact {impacts}?"),
                 format!("impact-pair describe {name} --impacts {more}"),
             )),
-            Some("precision") if MULTIPRECISION && self.request.max_bits < *BITS.end() => {
+            Some("precision") if self.request.max_bits < *BITS.end() => {
                 let bits = self.request.max_bits.saturating_mul(NEXT_FACTOR as u32).min(*BITS.end()); // proposes: bits to try next
                 let next = format!("impact-pair describe {name} --max-bits {bits}");
                 Some((format!("what happens after impact {impacts}?"), next))

@@ -63,7 +63,6 @@ fn r44_after_a_rest_the_exponent_in_the_limit_is_bounded_from_above_only() {
 
 /// From `v+ = pi` at `th0 = pi/2`, with `A = 1` and `W = 2 pi`, the drift is `pi`: `y' = pi - 2 pi cos th` is 0 next at `th = 5 pi/3`, where the right
 /// wall is touched if `d = 1 + sqrt(3)/2 + 7 pi/12` (11), (12). Of what starts nearby a part hits it and a part does not.
-#[cfg(feature = "multiprecision")]
 #[test]
 fn r45_after_a_graze_there_is_no_exponent_in_the_limit() {
     let excitation = "amplitude = 1, frequency = \"2*pi\", phase = 0";

@@ -7,7 +7,7 @@ use impact_pair_document::{ArithmeticDocument, counted};
 use super::conclusion::Conclusion;
 use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
-use crate::orbit::{Arithmetic, BITS, GRAZE_BITS, Limit, MULTIPRECISION, Orbit, Settings, VERDICT_BITS};
+use crate::orbit::{Arithmetic, BITS, GRAZE_BITS, Limit, Orbit, Settings, VERDICT_BITS};
 use crate::scene::DIGITS;
 
 /// The outcome of an orbit, compared with the request.
@@ -53,9 +53,6 @@ impl<'s> Ending<'s> {
             (_, Limit::Intervals, Some(Reason::Width)) => Some("narrower intervals in the scene lead further"),
             (_, Limit::Intervals, None) => Some("try fewer --digits, or narrower intervals in the scene"),
             (_, Limit::Intervals, Some(_)) => None,
-            (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if !MULTIPRECISION => {
-                Some("try fewer --digits, or --arithmetic interval, which continues with wider enclosures")
-            }
             (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if are_bits_spent => match (has_fewer, has_more) {
                 (true, true) => Some("try fewer --digits or more --max-bits"),
                 (true, false) => Some("try fewer --digits"),
@@ -63,15 +60,14 @@ impl<'s> Ending<'s> {
                 (false, false) => None,
             },
             (Arithmetic::Auto, Limit::Bits, Some(Reason::Width)) => {
-                (MULTIPRECISION && are_bits_spent && has_more).then_some("try more --max-bits")
+                (are_bits_spent && has_more).then_some("try more --max-bits")
             }
             (Arithmetic::Auto, ..) => None,
             // What these bits do not decide auto does not either.
             (Arithmetic::Bits(VERDICT_BITS..), _, Some(Reason::Graze)) => None,
             (Arithmetic::Bits(GRAZE_BITS..), Limit::Graze, _) => None,
             (Arithmetic::Bits(bits), ..) => (bits < max_bits).then_some("try --arithmetic auto"),
-            (Arithmetic::Interval, ..) => MULTIPRECISION.then_some("try --arithmetic auto"),
-            (Arithmetic::Inari, ..) => Some("try --arithmetic auto"),
+            (Arithmetic::Interval | Arithmetic::Inari, ..) => Some("try --arithmetic auto"),
         }
     }
 }

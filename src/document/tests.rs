@@ -5,7 +5,6 @@ use crate::number::Ball;
 use crate::orbit::{Arithmetic, Impact, Orbit, Settings};
 use crate::watch::Unwatched;
 use impact_pair_certificate::Certificate;
-#[cfg(feature = "multiprecision")]
 use impact_pair_certificate::Verdict;
 use impact_pair_document::SceneDocument;
 use num_rational::BigRational;
@@ -183,20 +182,17 @@ proptest! {
 }
 
 /// The orbit JSON of a motion like figure 13's, with its attractor.
-#[cfg(feature = "multiprecision")]
 fn attracted() -> Value {
     let scene = scene("2", "wall = \"left\", velocity = -12.56636");
     let settings = Settings { attractor: true, impacts: Some(20), ..scene.settings() };
     serde_json::to_value(super::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
 }
 
-#[cfg(feature = "multiprecision")]
 fn verdict(document: &Value) -> Verdict {
     Certificate::parse(&document.to_string()).unwrap().check(&Unwatched).unwrap()
 }
 
 #[test]
-#[cfg(feature = "multiprecision")]
 fn an_attractor_is_confirmed_and_nothing_else_in_its_place() {
     let document = attracted();
     let outcome = &document["outcome"];

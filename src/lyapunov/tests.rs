@@ -3,7 +3,6 @@
 use super::*;
 use crate::orbit::Settings;
 use crate::scene::Scene;
-#[cfg(feature = "multiprecision")]
 use crate::tolerances::NORM_OF_DIFFERENCES;
 use crate::tolerances::{EXPONENT, NORM};
 use approx::assert_abs_diff_eq;
@@ -26,7 +25,6 @@ fn after(scene: &Scene, impacts: u64, digits: u32) -> Disturbance {
     }
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn bounds_hold_the_exact_norm_of_powers() {
     // Equations (66)-(69), sin th0 = 0: over two impacts DP^2 = (1/4) [[1, 3/8], [0, 1]] exactly, by (A.7).
@@ -52,7 +50,6 @@ fn the_exponent_tends_to_the_logarithm_of_the_eigenvalue() {
     assert_abs_diff_eq!(per_cycle.mid(), 2.0 * per_impact.mid(), epsilon = EXPONENT);
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn bounds_hold_the_norm_of_differences() {
     let scene = scene("figure-14");
@@ -81,7 +78,6 @@ fn bounds_hold_the_norm_of_differences() {
     assert!(found.rad() < NORM_OF_DIFFERENCES, "{found:?}");
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn figure_14_grows_by_a_factor_of_e_to_the_two_fifths_per_impact() {
     let Exponent::Finite { per_impact, .. } = after(&scene("figure-14"), 1500, 6).exponent() else {
@@ -93,9 +89,7 @@ fn figure_14_grows_by_a_factor_of_e_to_the_two_fifths_per_impact() {
 #[test]
 fn a_rest_forgets_a_graze_has_no_derivative() {
     assert_eq!(after(&scene("chatter"), 40, 9).exponent(), Exponent::Forgets);
-    let graze = after(&scene("graze"), 20, 9).exponent();
-    let expected = if cfg!(feature = "multiprecision") { Unknown::Graze } else { Unknown::NoImpacts };
-    assert_eq!(graze, Exponent::Unknown(expected));
+    assert_eq!(after(&scene("graze"), 20, 9).exponent(), Exponent::Unknown(Unknown::Graze));
     // However coarsely the chatter before it is known: at two digits the direction is lost there.
     for digits in [2, 6] {
         assert_eq!(after(&scene("chatter"), 40, digits).exponent(), Exponent::Forgets, "{digits}");

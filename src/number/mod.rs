@@ -6,13 +6,12 @@
 
 mod approx;
 mod ball;
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 pub mod inari;
 pub(crate) mod interval;
 pub mod kernel;
 mod logarithm;
 mod magnitude;
-#[cfg(feature = "multiprecision")]
 pub(crate) mod multiprecision;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -27,7 +26,6 @@ pub(crate) use ball::{ABOVE_TWO_PI, LARGEST_RATE, TINY, UNIT, binade, is_positiv
 use kernel::SmallAngle;
 pub use logarithm::logarithm;
 pub use magnitude::Magnitude;
-#[cfg(feature = "multiprecision")]
 pub use multiprecision::{Float, MpBall};
 
 /// The least precision of an `MpBall`, in bits.

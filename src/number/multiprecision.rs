@@ -12,6 +12,7 @@ mod arithmetic;
 mod float;
 mod operations;
 mod sine;
+mod upper;
 
 use std::cmp::Ordering;
 

@@ -73,7 +73,6 @@ impl Truth {
     }
 
     /// The square root of a number that is not negative.
-    #[cfg(feature = "multiprecision")]
     pub fn sqrt(&self) -> Self {
         Self(self.0.sqrt(BITS).expect("a number that is not negative"))
     }

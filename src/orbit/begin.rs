@@ -9,7 +9,7 @@ use super::raise::PrecisionRaise;
 use super::shadowed::NearbyStart;
 use super::splice::Splice;
 use super::width::Width;
-use super::{Arithmetic, Clock, Cursor, Engine, Followed, MULTIPRECISION, Orbit, Requested, Settings, Start};
+use super::{Arithmetic, Clock, Cursor, Engine, Followed, Orbit, Requested, Settings, Start};
 use crate::clock::Phase;
 use crate::exact::Exact;
 use crate::number::Ball;
@@ -93,7 +93,7 @@ impl Orbit {
 
     /// Prepares a new start: the ways to raise the precision, and whether no wall is ever hit.
     pub(super) fn look_ahead(&mut self) {
-        if self.engine.arithmetic == Arithmetic::Auto && MULTIPRECISION {
+        if self.engine.arithmetic == Arithmetic::Auto {
             let left = self.requested.settings.impacts.map(|impacts| impacts - self.listed.min(impacts)); // exact: not negative
             let settings = Settings { impacts: left, ..self.requested.settings.clone() };
             self.engine.raise = Some(PrecisionRaise::new(
@@ -142,10 +142,6 @@ fn shadowed(
     let spliced = settings.impacts.map_or(settings.splice, |impacts| impacts.min(settings.splice)); // exact: as many as are requested
     if spliced == 0 {
         return Ok(motion);
-    }
-    if !MULTIPRECISION {
-        let message = format!("splice is {spliced}, but this build has no multiprecision");
-        return Err(Error::out_of_range(Some("splice"), message));
     }
     let (reduced, initial) = (*given.shaken.pair(), origin.initial().clone());
     let splice = Splice::new((pair, start, clock), (&reduced, initial), spliced, settings.max_bits)?;

@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::precise;
 use super::shadowed::ShadowMotion;
 use super::splice::Splice;
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 use super::textbook::TextbookMotion;
 use super::{Arithmetic, Start};
 use crate::Error;
@@ -38,7 +38,7 @@ pub(super) trait Motions: Shaken {
     fn shadow(self: Arc<Self>, origin: &Origin<Ball>, impacts: Option<u64>) -> Option<(Box<dyn Motion>, Option<u64>)>;
     /// The motion near the given one, after the impacts that are proved in higher precision.
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
-    /// The motion in the planned bits; `None` in a build without multiprecision.
+    /// The motion in the planned bits.
     fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>>;
 }
 
@@ -90,9 +90,9 @@ impl Given {
             Arithmetic::Float => shaken.float(&origin),
             // F5: no other start has the state of a release.
             Arithmetic::Auto | Arithmetic::Interval | Arithmetic::Shadow => shaken.interval(&origin),
-            #[cfg(not(feature = "inari"))]
+            #[cfg(not(all(feature = "inari", target_feature = "fma")))]
             Arithmetic::Inari => return Err(Arithmetic::unknown("inari")),
-            #[cfg(feature = "inari")]
+            #[cfg(all(feature = "inari", target_feature = "fma"))]
             Arithmetic::Inari => {
                 self.pair.harmonic("the textbook method (arithmetic inari)")?;
                 Box::new(TextbookMotion::new(shaken.pair(), &origin))
@@ -103,7 +103,7 @@ impl Given {
         })
     }
 
-    /// Motion from the origin in as many bits as planned; `None` in a build without multiprecision.
+    /// Motion from the origin in as many bits as planned.
     pub fn precise(&self, plan: Plan) -> Option<Box<dyn Motion>> {
         self.shaken.clone().precise(&self.origin, plan)
     }

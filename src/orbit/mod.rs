@@ -12,7 +12,6 @@ mod motion;
 mod passage;
 mod pending;
 mod plan;
-#[cfg_attr(not(feature = "multiprecision"), path = "doubles.rs")]
 mod precise;
 mod raise;
 mod recurrence;
@@ -20,7 +19,7 @@ mod set;
 mod shadowed;
 mod shortfall;
 mod splice;
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 mod textbook;
 mod units;
 mod width;
@@ -29,7 +28,7 @@ pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
 pub use dense::{Dense, DenseState};
 pub use event::{Outcome, Progress, Rest};
-pub use impact_pair_model::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Period, Place, Settings, Start};
+pub use impact_pair_model::{Arithmetic, BITS, INARI, MAX_BITS, Period, Place, Settings, Start};
 pub use plan::Plan;
 pub(crate) use set::StateSet;
 pub use shadowed::Shadowing;

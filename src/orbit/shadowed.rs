@@ -287,7 +287,6 @@ mod tests {
     }
 
     /// A chaotic transient that comes to rest: what follows the release is that of every orbit that rests there.
-    #[cfg(feature = "multiprecision")]
     #[test]
     fn a_rest_ends_the_chain_and_forgets_the_start() {
         use crate::orbit::Progress;

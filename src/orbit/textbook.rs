@@ -95,7 +95,6 @@ impl Motion for TextbookMotion {
         Ok(balls(&contact))
     }
 
-    #[cfg(feature = "multiprecision")]
     fn pass_graze(&mut self) -> Option<Grazed> {
         use crate::contact::multiprecision::pass;
         use crate::number::MpBall;

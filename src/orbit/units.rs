@@ -4,7 +4,7 @@ use super::{Graze, Impact, Orbit, Rest, Touch};
 use crate::exact::Enclosure;
 use crate::impact::finite;
 use crate::number::Ball;
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 use crate::number::inari::enclosing;
 use crate::switch_plane::{SwitchPoint, absolute};
 
@@ -38,7 +38,7 @@ impl Orbit {
     /// }
     /// # Ok::<(), impact_pair::Error>(())
     /// ```
-    #[cfg(feature = "inari")]
+    #[cfg(all(feature = "inari", target_feature = "fma"))]
     pub fn intervals(&self, impact: &Impact) -> (inari::Interval, inari::Interval) {
         let (time, velocity) = self.bounds(impact);
         (enclosing(&time), enclosing(&velocity))

@@ -1,6 +1,5 @@
 //! A pair whose chains are proved, for any excitation.
 
-#[cfg_attr(not(feature = "multiprecision"), path = "chained/doubles.rs")]
 mod precise;
 
 use super::chain::Chain;

@@ -1,6 +1,5 @@
 //! The proof of one orbit: floating point approximates, doubles prove, more bits where those do not suffice. Lemmas T3-T5
 
-#[cfg_attr(not(feature = "multiprecision"), path = "prove/doubles.rs")]
 mod precise;
 
 use super::chained::Chained;

@@ -1,6 +1,5 @@
 //! Chains with several harmonics, equation (1): Lemmas H10-H12 of `docs/proofs/periodic.md#H10`.
 
-#[cfg(feature = "multiprecision")]
 mod precise;
 
 use super::chain::{Chain, MOST_CYCLES};

@@ -6,11 +6,9 @@
 //! length in gaps. The lemmas H1-H9 are in `docs/proofs/harmonics.md#H1`.
 
 mod flight;
-#[cfg(feature = "multiprecision")]
 mod graze;
 mod harmonics;
 mod phased;
-#[cfg(feature = "multiprecision")]
 mod precise;
 mod reach;
 mod rest;
@@ -28,7 +26,6 @@ pub(crate) use rest::{Zero, accumulation, release};
 pub(crate) use scan::{Doubt, Found, Scan};
 pub(crate) use spectrum::{Spectrum, phases_at};
 pub(crate) use touch::is_touch;
-#[cfg(feature = "multiprecision")]
 pub(crate) use {flight::Instant, graze::pass};
 
 #[cfg(test)]

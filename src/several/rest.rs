@@ -4,7 +4,6 @@
 //! no closed form: chatter is proved to end where the contact force hardly changes meanwhile, and the ball is released at
 //! the first proved change of the contact force's sign.
 
-#[cfg_attr(not(feature = "multiprecision"), path = "rest/doubles.rs")]
 mod precise;
 
 use std::sync::Arc;

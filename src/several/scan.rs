@@ -22,7 +22,6 @@ pub(crate) struct Found<N> {
     pub at: Instant<N>,
     pub reach: f64,
     /// Lower bound of `|z'|` at the contact, for each flight.
-    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     pub least: f64,
     /// Velocity and acceleration over the set and the times of contact.
     pub velocity: Ball,
@@ -37,7 +36,6 @@ pub(crate) struct Found<N> {
 #[derive(Debug)]
 pub(crate) enum Doubt<N> {
     /// A wall may be touched with no velocity, about then; up to `free` it is proved not to be.
-    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     Graze { wall: Wall, free: Instant<N>, at: Instant<N> },
     /// The direction of the departure is not certain.
     SmallAngle,

@@ -8,7 +8,6 @@ mod clear;
 mod later;
 mod one;
 mod origin;
-#[cfg_attr(not(feature = "multiprecision"), path = "doubles.rs")]
 pub(crate) mod precise;
 mod several;
 pub mod shaking;

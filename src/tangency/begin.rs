@@ -140,7 +140,6 @@ pub(super) fn chain_in<N: Enclosing>(
 /// A zero proved in doubles, with the data to narrow it.
 pub(super) struct InDoubles {
     pub chain: Chain<Ball>,
-    #[cfg_attr(not(feature = "multiprecision"), allow(dead_code))]
     pub locals: [Local; 2],
     pub inverse: Preconditioner,
     pub x: Vec<f64>,

@@ -1,6 +1,5 @@
 //! A tangency near a fold, proved: Lemmas J5-J13 of `docs/proofs/tangency.md#J5`.
 
-#[cfg_attr(not(feature = "multiprecision"), path = "prove/doubles.rs")]
 mod precise;
 
 use super::begin::{InDoubles, in_doubles};

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use super::schedule::TradeArithmetic;
 use crate::exact::{Dyadic, Enclosure};
-use crate::orbit::{Arithmetic, Impact, MULTIPRECISION, Orbit, Progress, Rest, Settings};
+use crate::orbit::{Arithmetic, Impact, Orbit, Progress, Rest, Settings};
 use crate::pair::Wall;
 use crate::scales::{Scales, Size, Unit};
 use crate::watch::Watch;
@@ -145,11 +145,7 @@ fn distance(one: &Enclosure, other: &Enclosure, unit: &Unit) -> [Size; 2] {
 
 /// Settings with which the true orbit is computed.
 pub(super) fn truth(requested: &Settings) -> Settings {
-    if MULTIPRECISION {
-        TradeArithmetic::Auto(DIGITS).settings(requested)
-    } else {
-        TradeArithmetic::Interval.settings(requested)
-    }
+    TradeArithmetic::Auto(DIGITS).settings(requested)
 }
 
 /// The truth in words.

@@ -10,7 +10,7 @@ pub use measure::{Extent, Measured, Times, Widths};
 pub use schedule::TradeArithmetic;
 
 use crate::document::counted;
-use crate::orbit::Settings;
+use crate::orbit::{INARI, Settings};
 use crate::scales::{Scales, Unit};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
@@ -42,7 +42,7 @@ impl<'s> Trade<'s> {
     pub fn of(scene: &'s Scene, requested: Settings, watch: &dyn Watch) -> Result<Self, Error> {
         let units = Scales::of(scene)?.units();
         let one_harmonic = scene.pair().excitation().only().is_some();
-        let mut schedule = TradeSchedule::new(requested.max_bits, one_harmonic && cfg!(feature = "inari"));
+        let mut schedule = TradeSchedule::new(requested.max_bits, one_harmonic && INARI);
         let mut trade = Self { scene, requested, units, rows: Vec::new(), judgement: None, interrupted: None };
         while let Some(arithmetic) = schedule.arithmetic() {
             watch.note(Stage::Part(&arithmetic.to_string()));

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::orbit::{Arithmetic, BITS, MULTIPRECISION, Settings};
+use crate::orbit::{Arithmetic, BITS, Settings};
 
 /// Digits that are requested of `auto`.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];
@@ -83,14 +83,13 @@ impl TradeSchedule {
             Some(TradeArithmetic::Float) => Some(TradeArithmetic::Interval),
             Some(TradeArithmetic::Interval) if self.textbook => Some(TradeArithmetic::Inari),
             Some(TradeArithmetic::Interval | TradeArithmetic::Inari) => Some(TradeArithmetic::Shadow),
-            Some(TradeArithmetic::Shadow) if MULTIPRECISION => Some(TradeArithmetic::Bits(*BITS.start())),
+            Some(TradeArithmetic::Shadow) => Some(TradeArithmetic::Bits(*BITS.start())),
             Some(TradeArithmetic::Bits(bits)) => {
                 self.idle = if impacts > self.reached { 0 } else { self.idle + 1 };
                 self.reached = self.reached.max(impacts);
                 let double = bits.checked_mul(2).filter(|&double| double <= self.max_bits && !all);
                 double.filter(|_| self.idle < MAX_FRUITLESS_ROWS).map(TradeArithmetic::Bits).or(auto)
             }
-            Some(TradeArithmetic::Shadow) => auto,
             Some(TradeArithmetic::Auto(digits)) => {
                 DIGITS.into_iter().find(|&more| more > digits).map(TradeArithmetic::Auto)
             }
@@ -115,7 +114,6 @@ mod tests {
         names
     }
 
-    #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_double_until_all_impacts_are_reached() {
         let names = measured_names(1_000_000, |bits| u64::from(bits / 4).min(100));
@@ -125,18 +123,10 @@ mod tests {
         assert_eq!(names[11..], ["auto, 30 digits", "auto, 100 digits"]);
     }
 
-    #[cfg(feature = "multiprecision")]
     #[test]
     fn bits_that_bring_nothing_twice_are_the_last() {
         assert_eq!(measured_names(1_000_000, |_| 20)[4..8], ["64 bits", "128 bits", "256 bits", "auto, 3 digits"]);
         assert_eq!(measured_names(1_000_000, |_| 0)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
         assert_eq!(measured_names(200, |_| 20)[4..7], ["64 bits", "128 bits", "auto, 3 digits"]);
-    }
-
-    #[cfg(not(feature = "multiprecision"))]
-    #[test]
-    fn a_build_of_doubles_measures_no_bits() {
-        let names = ["float", "interval", "inari", "shadow", "auto, 3 digits"];
-        assert_eq!(measured_names(1_000_000, |_| 0)[..5], names);
     }
 }

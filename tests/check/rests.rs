@@ -4,7 +4,6 @@ use super::sums::assert_sets;
 use super::*;
 
 #[test]
-#[cfg(feature = "multiprecision")]
 fn r16_after_a_graze_no_mapping_is_confirmed_that_is_not_proved() {
     let document = orbit(
         "excitation = { amplitude = 1, frequency = 2, phase = 0.7 }\n\
@@ -187,7 +186,6 @@ fn r53_impacts_of_a_chatter_up_to_a_time_are_listed() {
 }
 
 #[test]
-#[cfg(feature = "multiprecision")]
 fn r53_grazes_of_every_arithmetic_are_confirmed_with_their_distances() {
     let scene = Scene::parse(include_str!("../../scenes/graze.toml")).unwrap();
     for arithmetic in [Arithmetic::Auto, Arithmetic::Interval, Arithmetic::Bits(200), Arithmetic::Shadow] {

@@ -5,8 +5,6 @@
 //! must be true: the motion computed anew from the changed document, by the library and in 320 bits, says so ([`truth`]).
 //! `PROPTEST_CASES` scales how many changes of a document are tried; from 100,000 on, as in `validation/run --full`, all are, for half an hour.
 
-#![cfg(feature = "multiprecision")]
-
 mod changes;
 pub mod documents;
 pub mod others;

@@ -10,8 +10,6 @@
 //! those alone whose names have these words, and shows each verdict; `--nocapture` shows the table. `FORGER_FOLDER` names a folder into
 //! which all are written, for the verified checker (`validation/coq/verified/run --forged`).
 
-#![cfg(feature = "multiprecision")]
-
 mod atlases;
 mod cells;
 mod descriptions;

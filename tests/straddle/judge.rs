@@ -3,7 +3,7 @@
 use impact_pair::Scene;
 use impact_pair::document::{Conclusion, Event, arithmetic, head};
 use impact_pair::json::{EventDocument, write_orbit};
-use impact_pair::orbit::{Arithmetic, Orbit, Progress, Settings};
+use impact_pair::orbit::{Arithmetic, INARI, Orbit, Progress, Settings};
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Effort, Verdict};
 
@@ -37,12 +37,9 @@ const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 
 
 /// The arithmetics in turn, and the most bits of `auto`.
 fn settings(case: &Case, number: u64) -> Settings {
-    let names: &[&str] = match cfg!(feature = "multiprecision") {
-        true => &["interval", "64", "auto", "inari", "128", "256"],
-        false => &["interval", "inari"],
-    };
+    let names = ["interval", "64", "auto", "inari", "128", "256"];
     let name = names[number as usize / 11 % names.len()];
-    let is_known = name != "inari" || cfg!(feature = "inari") && case.scene.pair().excitation().only().is_some();
+    let is_known = name != "inari" || INARI && case.scene.pair().excitation().only().is_some();
     let arithmetic: Arithmetic = if is_known { name } else { "interval" }.parse().expect("an arithmetic");
     Settings { arithmetic, impacts: Some(case.impacts), max_bits: 1024, ..Settings::default() }
 }

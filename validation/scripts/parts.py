@@ -62,7 +62,7 @@ LINTED = {"RUSTC_WORKSPACE_WRAPPER": "clippy-driver", "CLIPPY_ARGS": "-D__CLIPPY
 TARGETS = "--lib --bins --examples --tests"
 # Lines that ruff refuses half an hour later, in the package.
 FORM = "cargo fmt --all --check && ! awk 'length > 140 { print FILENAME \":\" FNR \": more than 140 characters\" }' $(git ls-files 'python/*.py') | grep ."
-NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli --no-default-features"
+NO_C = "cargo tree --quiet --edges normal,build,dev --prefix none -p impact-pair -p impact-pair-cli"
 NO_C = f"! {NO_C} | grep -E '^(cc|gmp-mpfr-sys|cmake|bindgen) '"
 MANY = "IMPACT_PAIR_MULTIPLIER=40 FUZZ_CASES=${FUZZ_CASES:-100000}"
 FRESH = "STRADDLE_CASES=${STRADDLE_CASES:-100000} STRADDLE_SEED=fresh"
@@ -95,7 +95,7 @@ PARTS = [
     cargo("lints", f"cargo build {ALL} {TARGETS}" if LINTED else f"{LINT} {TARGETS} -- -D warnings",
           f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
           f" && cargo clippy {' '.join(PROFILE)} --all-targets -p impact-pair -p impact-pair-cli --no-default-features -- -D warnings", ("tests",)),
-    cargo("no C", NO_C, f"{NO_C} && cargo test {' '.join(PROFILE)} -p impact-pair-tests --no-default-features --test library", after=("lints",)),
+    cargo("no C", NO_C, NO_C, after=("lints",)),
     cargo("dependent", "validation/scripts/dependent --quick", "validation/scripts/dependent", after=("lints",)),
     cargo("commands", "validation/scripts/commands", after=("lints",)),
     # Benches have no examples, and criterion is built for nothing else.

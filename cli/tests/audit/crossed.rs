@@ -102,7 +102,6 @@ fn r32_the_impact_after_a_graze_is_no_tail_of_a_chatter() {
 
 /// With `e = 1` a ball that is pressed on a wall hops on it some 5e7 times before it leaves: none of these hops ends a chatter.
 #[test]
-#[cfg(feature = "multiprecision")]
 fn r32_hops_without_end_are_not_followed_to_a_late_row() {
     let start = "time = \"1/4\", position = \"-1/2+1/2^56\", velocity = \"0\"";
     let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();

@@ -24,5 +24,5 @@ pub use mapping::{Mapping, Word};
 pub use pair::{ImpactPair, Wall};
 pub use period::Period;
 pub use scene::Scene;
-pub use settings::{Arithmetic, BITS, MAX_BITS, MULTIPRECISION, Settings, require_digits};
+pub use settings::{Arithmetic, BITS, INARI, MAX_BITS, Settings, require_digits};
 pub use start::{Place, Start};

@@ -33,21 +33,18 @@ impl Arithmetic {
     /// Error for the name of an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         if text == "inari" {
-            let message =
-                "the arithmetic inari is not in this build: build impact-pair with the cargo feature \"inari\"";
-            return Error::out_of_range(None, message.to_owned());
+            let target = if cfg!(feature = "inari") {
+                "for a processor with fused multiply-add, such as -C target-cpu=x86-64-v3"
+            } else {
+                "with the cargo feature \"inari\""
+            };
+            let message = format!("the arithmetic inari is not in this build: build impact-pair {target}");
+            return Error::out_of_range(None, message);
         }
-        let inari = if cfg!(feature = "inari") { "inari, " } else { "" };
+        let inari = if INARI { "inari, " } else { "" };
         let (least, most) = BITS.into_inner();
-        let bits = if MULTIPRECISION {
-            format!("or a number of bits from {least} to {most}")
-        } else {
-            "and, in a build with multiprecision, numbers of bits".to_owned()
-        };
-        Error::out_of_range(
-            None,
-            format!("the arithmetic is \"{text}\", but accepted are auto, float, interval, {inari}shadow {bits}"),
-        )
+        let accepted = format!("auto, float, interval, {inari}shadow or a number of bits from {least} to {most}");
+        Error::out_of_range(None, format!("the arithmetic is \"{text}\", but accepted are {accepted}"))
     }
 }
 
@@ -83,12 +80,12 @@ pub struct Settings {
     pub attractor: bool,
 }
 
-/// True if this build has arithmetic beyond doubles.
-pub const MULTIPRECISION: bool = cfg!(feature = "multiprecision");
+/// True if this build has the arithmetic `inari`: it was asked for, and the target has an instruction for fused multiply-add.
+pub const INARI: bool = cfg!(all(feature = "inari", target_feature = "fma"));
 /// Default of [`Settings::max_bits`].
 pub const MAX_BITS: u32 = 1_000_000;
 /// Accepted precisions, in bits.
-pub const BITS: RangeInclusive<u32> = 64..=1_000_000_000;
+pub const BITS: RangeInclusive<u32> = 64..=10_000_000;
 
 impl Settings {
     /// Refuses settings that are outside the accepted ranges.
@@ -98,9 +95,7 @@ impl Settings {
     pub fn require_accepted(&self) -> Result<(), Error> {
         require_digits(self.digits)?;
         match self.arithmetic {
-            Arithmetic::Bits(bits) if !(BITS.contains(&bits) && MULTIPRECISION) => {
-                Err(Arithmetic::unknown(&bits.to_string()))
-            }
+            Arithmetic::Bits(bits) if !BITS.contains(&bits) => Err(Arithmetic::unknown(&bits.to_string())),
             _ => Ok(()),
         }
     }
@@ -130,10 +125,10 @@ impl FromStr for Arithmetic {
             "auto" => Ok(Self::Auto),
             "float" => Ok(Self::Float),
             "interval" => Ok(Self::Interval),
-            "inari" if cfg!(feature = "inari") => Ok(Self::Inari),
+            "inari" if INARI => Ok(Self::Inari),
             "shadow" => Ok(Self::Shadow),
             _ => match text.parse() {
-                Ok(bits) if BITS.contains(&bits) && MULTIPRECISION => Ok(Self::Bits(bits)),
+                Ok(bits) if BITS.contains(&bits) => Ok(Self::Bits(bits)),
                 _ => Err(Self::unknown(text)),
             },
         }

@@ -176,7 +176,7 @@ impl Isolated {
 fn step(flight: &Flight<MpBall>, sight: &PhaseValues) -> Option<Float> {
     let (residual, slope, bits) = (sight.residual.mid(), sight.velocity.mid(), flight.drift.bits());
     let Some(size) = residual.top() else { return Some(residual.clone()) };
-    let size = (size - slope.top()?) as f64;
+    let size = (size - slope.top()?) as f64; // proposes
     // Bits of a number of this size that the phase is worth.
     let worth =
         |size: f64| ((f64::from(bits) + size) as u32).saturating_add(16).clamp(LEAST_BITS, bits.max(LEAST_BITS)); // proposes

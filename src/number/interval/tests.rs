@@ -206,7 +206,7 @@ fn constants_hold_what_they_are_called() {
 }
 
 /// Another implementation, which switches the rounding mode and so loses nothing.
-#[cfg(feature = "inari")]
+#[cfg(all(feature = "inari", target_feature = "fma"))]
 mod against_inari {
     use super::*;
     use crate::number::Wave;

@@ -10,7 +10,7 @@ const GUARD: u32 = 32;
 impl MpBall {
     /// Encloses `acos(q) / (2 pi)` for all `q` in the ball that lie in `[-1, 1]`.
     ///
-    /// acos falls: each end bounds the other side.
+    /// It falls: each end of the ball bounds the other side (Lemma M6, `docs/proofs/multiprecision.md#M6`).
     pub fn acos(&self) -> Self {
         let bits = self.bits();
         let unknown = || Self { mid: Float::zero(bits), rad: Magnitude::INFINITE };

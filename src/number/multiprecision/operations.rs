@@ -5,7 +5,13 @@ use num_integer::Integer;
 use num_traits::Zero;
 
 use super::float::{Float, Round, length};
+use super::upper::upper_product;
 use crate::number::Magnitude;
+
+/// Bits from which on the upper half of a product costs much less than all of it, which a fused sum needs.
+pub(super) const SHORT_PRODUCT_BITS: u32 = 10 * 64;
+/// Bits of an upper part beyond those that it is rounded to, at least.
+const GUARD: u64 = 65;
 
 impl Float {
     /// `self + b`, to the nearest number of N bits.
@@ -99,7 +105,34 @@ impl Float {
 
     /// `self * b`, to nearest, and whether that is exact.
     pub(super) fn mul(&self, b: &Self, bits: u32) -> (Self, bool) {
-        self.whole_product(b).into_bits(bits, Round::Nearest)
+        self.upper_mul(b, bits).unwrap_or_else(|| self.whole_product(b).into_bits(bits, Round::Nearest)) // M1: both round correctly
+    }
+
+    /// The same by the upper part of the product alone; `None` for short ones, and where that does not tell how to round.
+    ///
+    /// **Lemma M1, products.** The zeros below the last digit of a product are those of both factors, so it is exact or not whatever
+    /// its upper part is. Of that, 64 bits or more are rounded off; the product is not below it, and above it by less than 2. So the
+    /// rounding is the same, unless these bits are one or two short of the middle.
+    fn upper_mul(&self, b: &Self, bits: u32) -> Option<(Self, bool)> {
+        let (x, y) = (self.mantissa.magnitude(), b.mantissa.magnitude());
+        let shift = (x.bits() + y.bits()).checked_sub(u64::from(bits) + GUARD)?;
+        if bits < SHORT_PRODUCT_BITS || x.trailing_zeros()? + y.trailing_zeros()? >= shift {
+            return None;
+        }
+        let upper = upper_product(x, y, shift);
+        let excess = upper.bits() - u64::from(bits);
+        let mut low = upper.iter_u64_digits();
+        let low = [low.next()?, low.next()?];
+        let low = (u128::from(low[1]) << 64 | u128::from(low[0])) & ((1 << excess) - 1);
+        let middle = 1u128 << (excess - 1);
+        if (middle - 2..middle).contains(&low) {
+            return None;
+        }
+        let is_negative = self.mantissa.sign() != b.mantissa.sign();
+        let mantissa = BigInt::from_biguint(if is_negative { Sign::Minus } else { Sign::Plus }, upper);
+        let exponent = self.exponent + b.exponent + shift as i64; // exact: a length in bits
+        let (found, _) = Self::rounding(mantissa, exponent, bits, Round::Nearest);
+        Some((found, false))
     }
 
     /// `self * b + c`, or `c - self * b`, rounded once to nearest, and whether that is exact.

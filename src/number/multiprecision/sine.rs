@@ -10,6 +10,7 @@ use num_integer::Roots;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::float::{Float, Round};
+use super::upper::upper_product;
 use crate::exact::Enclosure;
 use crate::number::Magnitude;
 
@@ -42,7 +43,7 @@ impl Turn {
             return;
         }
         self.bits = (bits + bits / 8).next_multiple_of(LIMB);
-        // Its lower end is within a unit of 2^(1 - bits) below pi; one of 2^-bits in eight bits more.
+        // Its lower end, in eight bits more, is within 2^-5 of a unit below pi.
         let pi = Enclosure::pi(self.bits + 8).inf().clone();
         let shift = (pi.exponent() + 1 + i64::from(self.bits)).unsigned_abs(); // M5: to the right, of one with more bits
         self.whole = pi.mantissa() >> shift;
@@ -81,7 +82,7 @@ pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
         return None;
     }
     let fine = (bits + GUARD).next_multiple_of(LIMB);
-    let whole = u.round();
+    let whole = u.round(); // M5: any whole number near
     let rest = u.minus(&whole, bits.max(u.bits())); // exact: whole periods taken off leave no more bits
     CIRCLE.with_borrow_mut(|circle| {
         circle.reach(fine);
@@ -159,7 +160,7 @@ struct Series {
 impl Series {
     /// The sine and the cosine of `x`, in units of `2^-fine`, by Taylor's formula.
     fn sum(&mut self, x: &BigInt, fine: u32) {
-        let square = (x * x) >> fine;
+        let square = product(x, x, fine);
         let small = (u64::from(fine) - square.bits()).to_u32().expect("at most as many as the whole has");
         let (terms, columns) = shape(small, fine);
         let last = columns as usize; // exact: an index
@@ -218,9 +219,10 @@ impl Series {
     }
 }
 
-/// The product in units of `2^shift`, within one of them.
+/// The product in units of `2^shift`, towards 0, within 1.01 of them.
 fn product(a: &BigInt, b: &BigInt, shift: u32) -> BigInt {
-    (a * b) >> shift
+    let size = upper_product(a.magnitude(), b.magnitude(), u64::from(shift));
+    BigInt::from_biguint(a.sign() * b.sign(), size)
 }
 
 /// Terms of the series of a number whose square is below `2^-small`, and powers to split it by.
@@ -237,12 +239,10 @@ fn shape(small: u32, fine: u32) -> (u32, u32) {
     (terms, columns)
 }
 
-/// Sine and cosine of the sum of two angles in units of `2^bits`, within two of them.
+/// Sine and cosine of the sum of two angles in units of `2^bits`, within 2.02 of them.
 fn rotated([a, b]: &[BigInt; 2], [sin, cos]: &[BigInt; 2], bits: u32) -> [BigInt; 2] {
-    let mut found = [a * cos, b * cos];
-    found[0] += b * sin;
-    found[1] -= a * sin;
-    found.map(|x| x >> bits)
+    let part = |x: &BigInt, y: &BigInt| product(x, y, bits);
+    [part(a, cos) + part(b, sin), part(b, cos) - part(a, sin)]
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! Proofs of bifurcations: in doubles first, then in as many bits as the digits take. Lemmas Y3-Y5
 
-#[cfg_attr(not(feature = "multiprecision"), path = "claim/doubles.rs")]
 mod precise;
 
 use super::super::Precision;

@@ -334,7 +334,6 @@ fn chatter_rest_and_release_are_on_the_wall() {
     assert!(meet(first.displacement, left) && meet(first.velocity, release.velocity), "{first:?}");
 }
 
-#[cfg(feature = "multiprecision")]
 #[test]
 fn a_graze_is_on_the_curve_and_on_the_wall() {
     let (trace, _) = trace(&scene("graze"), &Settings { arithmetic: Arithmetic::Auto, ..impacts(5) }, 10);
