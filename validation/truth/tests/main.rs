@@ -12,6 +12,7 @@ mod flights;
 mod grazes;
 mod impact_maps;
 mod intervals;
+mod multiprecision;
 mod numbers;
 mod orbits;
 mod random;
