@@ -37,6 +37,8 @@ pub(crate) fn each<T: Sync, U: Send>(all: &[T], function: &(dyn Fn(&T) -> U + Sy
 }
 
 /// Calls `work` once with each of the numbers `0..count`, until it returns false to each thread. Not generic: it is compiled once.
+///
+/// One thread is this one: some targets have no other.
 pub(crate) fn run(threads: usize, count: usize, work: &(dyn Fn(usize) -> bool + Sync)) {
     let next = AtomicUsize::new(0);
     let thread = || {
@@ -47,6 +49,9 @@ pub(crate) fn run(threads: usize, count: usize, work: &(dyn Fn(usize) -> bool + 
             }
         }
     };
+    if threads.min(count) <= 1 {
+        return thread(); // exact: one thread a question is enough
+    }
     thread::scope(|scope| (0..threads.min(count)).for_each(|_| _ = scope.spawn(thread))); // exact: one thread a question is enough
 }
 

@@ -12,7 +12,7 @@ use crate::watch::{Stage, Watch};
 
 /// Memory \[bytes\] that all sets together may take, and boxes that may be looked at.
 const MOST_BYTES: usize = 1 << 29;
-const MAX_BOX_VISITS: usize = 1 << 34;
+const MAX_BOX_VISITS: u64 = 1 << 34;
 
 /// The reason why words are not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl Subsets {
         let all = set(size, 0..boxes as u32); // exact: fewer than 2^32
         let mut numbers: HashMap<Set, u32> = HashMap::from([(Rc::clone(&all), 0)]);
         let mut open = VecDeque::from([(all, 0)]);
-        let (mut steps, mut looks) = (Vec::new(), 0);
+        let (mut steps, mut looks) = (Vec::new(), 0u64);
         while let Some((from, length)) = open.pop_front() {
             let stopped = if watch.proceed(Stage::Sets(numbers.len())).is_break() {
                 Some(Unclosed::Interrupted)

@@ -21,24 +21,29 @@ pub(super) fn in_blocks<T: Send, E: Send>(
     let threads = thread::available_parallelism().map_or(1, |threads| threads.get()).min(blocks.len()); // proposes: how many
     let (next, (sender, receiver)) = (AtomicUsize::new(0), mpsc::channel());
     let mut answers: Vec<_> = blocks.iter().map(|_| None).collect();
+    let work = |sender: mpsc::Sender<(usize, Result<Vec<T>, E>)>| {
+        while let Some((number, block)) =
+            Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|number| Some((number, blocks.get(number)?)))
+        {
+            let answer = answer(block.clone());
+            if answer.is_err() {
+                // All blocks before this one have been started.
+                next.store(blocks.len(), Ordering::Relaxed);
+            }
+            if sender.send((number, answer)).is_err() {
+                break;
+            }
+        }
+    };
     thread::scope(|scope| {
-        for _ in 0..threads {
+        let work = &work;
+        let started = |sender: &mpsc::Sender<_>| {
             let sender = sender.clone();
-            scope.spawn(|| {
-                let sender = sender;
-                while let Some((number, block)) =
-                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|number| Some((number, blocks.get(number)?)))
-                {
-                    let answer = answer(block.clone());
-                    if answer.is_err() {
-                        // All blocks before this one have been started.
-                        next.store(blocks.len(), Ordering::Relaxed);
-                    }
-                    if sender.send((number, answer)).is_err() {
-                        break;
-                    }
-                }
-            });
+            thread::Builder::new().spawn_scoped(scope, move || work(sender)).is_ok()
+        };
+        // Some targets have no other thread than this one.
+        if (0..threads).filter(|_| started(&sender)).count() == 0 {
+            work(sender.clone());
         }
         drop(sender);
         let mut known = 0;

@@ -23,7 +23,7 @@ const HALVINGS: [u32; 3] = [2, 4, 6];
 const MAX_LENGTH: u32 = 1000;
 /// Members of all sets together, and boxes that are looked at, of which there are no more.
 const MAX_MEMBERS: usize = 1 << 26;
-const MAX_BOX_VISITS: usize = 1 << 33;
+const MAX_BOX_VISITS: u64 = 1 << 33;
 /// Bits of powers.
 const BITS: u32 = 256;
 /// Steps towards a vector.
@@ -89,7 +89,7 @@ impl Sets {
     /// Returns the sets for the boxes that each box leads to, by letters; `None` if there are too many.
     pub fn of(edges: &[[Vec<u32>; 2]]) -> Option<Self> {
         let all: Vec<u32> = (0..edges.len() as u32).collect(); // exact: no more boxes than are judged
-        let (mut members, mut looks) = (all.len(), 0);
+        let (mut members, mut looks) = (all.len(), 0u64);
         let mut numbers = HashMap::from([(all.clone(), 0)]);
         let (mut open, mut next) = (vec![all], Vec::new());
         while next.len() < open.len() {
