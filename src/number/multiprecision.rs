@@ -77,7 +77,7 @@ impl MpBall {
         Self { mid, rad }
     }
 
-    /// The number that the double `x` is, exactly, with N bits.
+    /// The number that the double `x` is, exactly, with `bits` bits.
     pub fn from_f64_bits(x: f64, bits: u32) -> Self {
         Self::exact(Float::with_bits(x, bits.max(f64::MANTISSA_DIGITS))) // M1: bits enough for a double
     }
@@ -154,7 +154,7 @@ impl MpBall {
         self.enclosure_in(u32::MAX)
     }
 
-    /// The same, its ends rounded outward to N bits at most.
+    /// The same, its ends rounded outward to at most `bits` bits.
     pub(crate) fn enclosure_in(&self, bits: u32) -> Option<Enclosure> {
         let rad = float_of_magnitude(self.rad)?;
         // Enough bits for all between the top of one and the bottom of the other.
@@ -201,12 +201,12 @@ impl MpBall {
         self.departure_within(size * size * size * Magnitude::power_of_two(-i64::from(self.bits()) - 3))
     }
 
-    /// The same in N bits that a few times `error` is added to the radii.
+    /// [`short_departure`](Self::short_departure) in so few bits that a few times `error` is added to the radii.
     pub(crate) fn departure_within(&self, error: Magnitude) -> Option<SmallAngle<Self>> {
         if self.mag() > Magnitude::power_of_two(-6) {
             return None;
         }
-        // A number of that size is worth N bits.
+        // Bits that a number of this size needs.
         let worth = |size: Magnitude| {
             let bits = (size.log2() - error.log2()).max(0.0) + 3.0; // M1: any number of bits
             (bits as u32).clamp(LEAST_BITS, self.bits().max(LEAST_BITS)) // M1: any number of bits

@@ -29,7 +29,7 @@ impl MpBall {
     }
 }
 
-/// Encloses `acos(q) / (2 pi)`, `q` cut with `[-1, 1]`; in N bits, and to as many of an angle near 0.
+/// Encloses `acos(q) / (2 pi)`, `q` cut with `[-1, 1]`, to `bits` significant bits, also for angles near 0.
 ///
 /// **Lemma M6.** For `0 <= q <= 1` it is `2 y` with `sin 2 pi y = s = sqrt((1 - q) / 2)`, `0 <= y <= 1/8`. Where a `y'` with
 /// `0 <= y' <= 1/7` has `|sin 2 pi y' - s| <= r`, it is within `r / 3` of `y`: the slope of the sine is at least

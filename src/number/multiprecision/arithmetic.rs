@@ -58,7 +58,7 @@ impl MpBall {
         }
     }
 
-    /// The product in N bits; what the radii add is bounded within a factor of two.
+    /// The product in `bits` bits; what the radii add is bounded within a factor of two.
     pub(crate) fn product(&self, b: &Self, bits: u32) -> Self {
         let spread = |rad: Magnitude, of: Magnitude| if rad.is_zero() { rad } else { rad * of };
         let rad = spread(self.rad, b.mid.above() + b.rad) + spread(b.rad, self.mid.above());

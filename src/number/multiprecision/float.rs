@@ -19,7 +19,7 @@ use num_traits::Zero;
 use crate::exact::Dyadic;
 use crate::number::Magnitude;
 
-/// Numbers of more than N binary digits before the point, or zeros after it, are none.
+/// Greatest exponent in size: beyond it a result is no number.
 const MOST_EXPONENT: i64 = 1 << 40;
 
 /// The direction of a rounding.
@@ -63,12 +63,12 @@ impl Float {
         }
     }
 
-    /// The double `x`, rounded to N bits.
+    /// The double `x`, rounded to `bits` bits.
     pub fn with_bits(x: f64, bits: u32) -> Self {
         Self::new(x).rounded(bits)
     }
 
-    /// 0, for results of N bits.
+    /// 0, for results of `bits` bits.
     pub fn zero(bits: u32) -> Self {
         Self { mantissa: BigInt::ZERO, exponent: 0, bits }
     }
@@ -78,20 +78,20 @@ impl Float {
         Self { mantissa: n.into(), exponent: 0, bits: u64::BITS }
     }
 
-    /// No number.
+    /// The result that is no number.
     pub(super) fn none(bits: u32) -> Self {
         Self { mantissa: BigInt::ZERO, exponent: i64::MAX, bits }
     }
 
-    /// A dyadic number with all of its bits, and N at least.
+    /// A dyadic number with all of its bits, and `bits` at least.
     pub(crate) fn exactly(x: &Dyadic, bits: u32) -> Self {
         let own = u32::try_from(x.mantissa().bits()).expect("exact numbers are far shorter");
         Self { mantissa: x.mantissa().clone(), exponent: x.exponent(), bits: bits.max(own) } // exact: all of its bits
     }
 
-    /// `mantissa * 2^exponent`, rounded to N bits, and whether that is exact (Lemma M1).
+    /// `mantissa * 2^exponent`, rounded to `bits` bits, and whether that is exact (Lemma M1).
     pub(super) fn rounding(mantissa: BigInt, exponent: i64, bits: u32, round: Round) -> (Self, bool) {
-        let excess = mantissa.bits().saturating_sub(u64::from(bits)); // M1: none is too many
+        let excess = mantissa.bits().saturating_sub(u64::from(bits)); // M1: 0 where the number is short enough
         if excess == 0 {
             return Self { mantissa, exponent, bits }.in_range(true);
         }
@@ -150,12 +150,12 @@ impl Float {
         self.is_number().then(|| self.mantissa.sign().cmp(&Sign::NoSign))
     }
 
-    /// The nearest number of N bits.
+    /// The nearest number of `bits` bits.
     pub fn rounded(&self, bits: u32) -> Self {
         self.clone().into_bits(bits, Round::Nearest).0
     }
 
-    /// The same in N bits, and whether it is equal.
+    /// The number rounded to `bits` bits, and whether the rounding is exact.
     pub(super) fn into_bits(self, bits: u32, round: Round) -> (Self, bool) {
         if !self.is_number() {
             return (Self { bits, ..self }, false);

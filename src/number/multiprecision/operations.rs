@@ -14,22 +14,22 @@ pub(super) const SHORT_PRODUCT_BITS: u32 = 10 * 64;
 const GUARD: u64 = 65;
 
 impl Float {
-    /// `self + b`, to the nearest number of N bits.
+    /// `self + b`, to the nearest number of `bits` bits.
     pub fn plus(&self, b: &Self, bits: u32) -> Self {
         self.clone().add(b, bits, Round::Nearest).0
     }
 
-    /// `self - b`, to the nearest number of N bits.
+    /// `self - b`, to the nearest number of `bits` bits.
     pub fn minus(&self, b: &Self, bits: u32) -> Self {
         self.clone().sub(b, bits, Round::Nearest).0
     }
 
-    /// `self * b`, to the nearest number of N bits.
+    /// `self * b`, to the nearest number of `bits` bits.
     pub fn times(&self, b: &Self, bits: u32) -> Self {
         self.mul(b, bits).0
     }
 
-    /// `self / b`, to the nearest number of N bits; no number for `b = 0`.
+    /// `self / b`, to the nearest number of `bits` bits; no number for `b = 0`.
     pub fn over(&self, b: &Self, bits: u32) -> Self {
         self.div(b, bits).0
     }

@@ -37,7 +37,7 @@ struct Turn {
 }
 
 impl Turn {
-    /// Has N bits or more.
+    /// Makes `2 pi` in `bits` bits or more.
     fn reach(&mut self, bits: u32) {
         if self.bits >= bits && !self.whole.is_zero() {
             return;
@@ -50,7 +50,7 @@ impl Turn {
     }
 }
 
-/// `2 pi`, to N bits, and a bound of its error (Lemma M5).
+/// `2 pi`, to `bits` bits, and a bound of its error (Lemma M5).
 pub(super) fn turn(bits: u32) -> (Float, Magnitude) {
     TURN.with_borrow_mut(|turn| {
         let fine = bits + GUARD;
@@ -74,7 +74,7 @@ struct Circle {
     series: Series,
 }
 
-/// `[sin 2 pi u, cos 2 pi u]` in N bits and what each may be off by; `None` for no number.
+/// `[sin 2 pi u, cos 2 pi u]` in `bits` bits, each with a bound of its error; `None` if `u` is no number.
 ///
 /// **Enclosure** (Lemma M5): each lies within its magnitude of the number found.
 pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
@@ -95,7 +95,7 @@ pub(super) fn sin_cos(u: &Float, bits: u32) -> Option<[(Float, Magnitude); 2]> {
 }
 
 impl Circle {
-    /// Has the table in N bits or more.
+    /// Makes the table in `fine` bits or more.
     fn reach(&mut self, fine: u32) {
         if self.bits >= fine {
             return;
