@@ -240,3 +240,27 @@ fn balls_hold_the_logarithm() {
         }
     }
 }
+
+/// Lemma M1, products: next to the middle of two numbers the upper part alone does not tell how to round.
+#[test]
+fn long_products_next_to_a_middle_are_rounded_as_the_whole_ones() {
+    let (p, q) = (2048u32, 1024u32);
+    for (base, off) in (1..20u32).flat_map(|k| [(2 * k + 1, 1), (2 * k + 1, -1)]) {
+        // x of q bits and y of p bits whose product is n * 2^(q - 1) + off, n of p + 1 bits and odd.
+        let power = Integer::from(Integer::u_pow_u(base, 1000));
+        let shift = power.significant_bits() - q;
+        let x = (power >> shift) | (Integer::from(1) << (q - 2)) | 1u32;
+        let unit = Integer::from(1) << (q - 1);
+        let inverse = unit.clone().invert(&x).expect("x is odd");
+        let rest = if off < 0 { inverse } else { Integer::from(&x - &inverse) };
+        let mut n: Integer = (Integer::from(3) << (p - q - 1)) * &x + rest;
+        if n.is_even() {
+            n += &x;
+        }
+        let y: Integer = (n * unit + off) / &x;
+        assert!(y.significant_bits() <= p);
+        let [x, y] = [(x, q), (y, p)].map(|(whole, bits)| Float::with_val(bits, whole));
+        let found = theirs(&(ours(&x) * ours(&y)));
+        assert_eq!(found, Float::with_val(p, &x * &y), "{base}, {off}");
+    }
+}
