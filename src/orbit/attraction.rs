@@ -91,7 +91,7 @@ impl Orbit {
         let given = Given { origin: Origin::of(state), ..self.engine.given.clone() };
         let (mut motion, mut turns) = (given.precise(Plan::constant(NARROW_BITS)), first.turns);
         let next = |listed: &Impact| {
-            let Contact { wall, turns: since, phase, velocity, .. } = motion.as_mut()?.next_contact().ok()?;
+            let Contact { wall, turns: since, phase, velocity, .. } = motion.next_contact().ok()?;
             turns = turns::after(turns, since).filter(|_| wall == listed.wall)?;
             Some(Impact { turns, phase, velocity, precise: None, ..*listed })
         };

@@ -22,7 +22,7 @@ impl Orbit {
     ///
     /// # Errors
     /// If the start is not in the box of `pair`, if the digits or bits are not accepted, if a value is beyond the range of double-precision
-    /// flights, or if multiprecision is requested and this build has none.
+    /// flights, or if the arithmetic `inari` is requested and this build has none.
     pub fn new(pair: &ImpactPair, start: &Start, settings: Settings) -> Result<Self, Error> {
         settings.require_accepted()?;
         let shown = match settings.arithmetic {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::motion::{FloatMotion, IntervalMotion, Motion};
 use super::plan::Plan;
-use super::precise;
+use super::precise::PreciseMotion;
 use super::shadowed::ShadowMotion;
 use super::splice::Splice;
 #[cfg(all(feature = "inari", target_feature = "fma"))]
@@ -39,7 +39,7 @@ pub(super) trait Motions: Shaken {
     /// The motion near the given one, after the impacts that are proved in higher precision.
     fn spliced(self: Arc<Self>, splice: Splice, left: Option<u64>) -> Option<Box<dyn Motion>>;
     /// The motion in the planned bits.
-    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>>;
+    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion>;
 }
 
 impl<S: Flying> Motions for S {
@@ -59,8 +59,8 @@ impl<S: Flying> Motions for S {
         ShadowMotion::spliced(self, splice, left)
     }
 
-    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
-        precise::motion(self, origin, plan)
+    fn precise(self: Arc<Self>, origin: &Origin<Exact>, plan: Plan) -> Box<dyn Motion> {
+        Box::new(PreciseMotion::new(self, origin, plan))
     }
 }
 
@@ -97,14 +97,12 @@ impl Given {
                 self.pair.harmonic("the textbook method (arithmetic inari)")?;
                 Box::new(TextbookMotion::new(shaken.pair(), &origin))
             }
-            Arithmetic::Bits(bits) => {
-                self.precise(Plan::constant(bits)).ok_or_else(|| Arithmetic::unknown(&bits.to_string()))?
-            }
+            Arithmetic::Bits(bits) => self.precise(Plan::constant(bits)),
         })
     }
 
     /// Motion from the origin in as many bits as planned.
-    pub fn precise(&self, plan: Plan) -> Option<Box<dyn Motion>> {
+    pub fn precise(&self, plan: Plan) -> Box<dyn Motion> {
         self.shaken.clone().precise(&self.origin, plan)
     }
 }

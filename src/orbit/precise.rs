@@ -24,11 +24,6 @@ use crate::turns;
 /// Bits below the radius of a set that are negligible for its centre.
 const NEGLIGIBLE_BITS: i64 = 64;
 
-/// Motion from an origin in as many bits as planned.
-pub(super) fn motion<S: Flying>(shaken: Arc<S>, origin: &Origin<Exact>, plan: Plan) -> Option<Box<dyn Motion>> {
-    Some(Box::new(PreciseMotion::new(shaken, origin, plan)))
-}
-
 /// Certified in as many bits as the plan gives each impact.
 #[derive(Debug)]
 pub(super) struct PreciseMotion<S: Flying> {

@@ -63,13 +63,13 @@ impl PrecisionRaise {
             self.before.is_some_and(|(at, kind, bits)| (at, kind) == (index, in_width) && accuracy < bits + 1.0);
         // Doubles may be lucky: only what multiprecision did before counts.
         self.before = self.plan.is_some().then_some((index, in_width, accuracy));
-        let Some(before) = self.plan.take() else { return self.follow(self.look_ahead(0)) };
+        let Some(before) = self.plan.take() else { return Some(self.follow(self.look_ahead(0))) };
         if index >= before.horizon() {
             let further = self.look_ahead(index);
             // The impacts beyond the horizon of the plan before may expand no more than those within it.
             if further.bits(0) > before.bits(0) {
                 self.verdict_bits = f64::from(VERDICT_BITS);
-                return self.follow(further);
+                return Some(self.follow(further));
             }
         }
         let mut plan = before;
@@ -88,11 +88,11 @@ impl PrecisionRaise {
             self.plan = Some(plan);
             return None;
         }
-        self.follow(plan)
+        Some(self.follow(plan))
     }
 
     /// The motion from the start by a plan.
-    fn follow(&mut self, plan: Plan) -> Option<Box<dyn Motion>> {
+    fn follow(&mut self, plan: Plan) -> Box<dyn Motion> {
         self.plan = Some(plan.clone());
         self.given.precise(plan)
     }
