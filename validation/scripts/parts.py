@@ -113,7 +113,7 @@ PARTS = [
         name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "library", "tests")),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
-    Part("data", *2 * ('"$(validation/scripts/environment)" -B data/make --check && "$(validation/scripts/environment)" -B -m unittest discover -s data',),
+    Part("data", *2 * ('"$(validation/scripts/environment)" data/make --check && "$(validation/scripts/environment)" -m unittest discover -s data',),
          ("program", "python"), False, (*SOURCES, "data", "validation/references", "validation/requirements.txt")),
     cargo("package", "python/test", "python/test --full", ("lints", "verified")),
     cargo("mutations", "validation/scripts/mutations --quick --report $REPORT", "validation/scripts/mutations --report $REPORT",
@@ -290,6 +290,9 @@ def main():
     report.mkdir(parents=True, exist_ok=True)
     STATE.mkdir(parents=True, exist_ok=True)
     environment = os.environ | {"IMPACT_PAIR": str(PROGRAM), "REPORT": str(report), "OCAMLRUNPARAM": OCAML} | ({} if options.full else LINTED)
+    # Bytecode of packages is kept, beside no source: an import of SciPy or Matplotlib takes a second less.
+    environment["PYTHONPYCACHEPREFIX"] = str(ROOT / "target/pycache")
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
     # The report that goes is part of the version.
     began, made = time.monotonic(), f"Made by `validation/run{' --full' if options.full else ''}` on {time.strftime('%Y-%m-%d')} of version `{version()}`"
     if options.full and not options.only:
