@@ -1,5 +1,6 @@
 //! The tests of the public interface, in one executable: a module each.
 
+mod arithmetics;
 mod arrows;
 mod attractor;
 mod bifurcations;

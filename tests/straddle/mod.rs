@@ -5,7 +5,7 @@
 //! given again); `--nocapture` shows the counts by family.
 
 mod judge;
-mod starts;
+pub mod starts;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -13,8 +13,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::environment::number;
 use judge::{StartVerdict, judge};
+use serde_json::json;
 use starts::{Dice, FAMILIES, case};
 
+/// Number of starts that Arb is given.
+const RECORDED: u64 = 240;
 /// The default seed.
 const SEED: u64 = 1995;
 
@@ -66,4 +69,23 @@ fn no_certificate_near_branch_boundaries_is_refuted() {
     let sum = |kind: &str| counts.iter().filter(|((_, found), _)| *found == kind).map(|(_, count)| count).sum::<u64>();
     assert!(2 * sum("confirmed") > cases, "too few are confirmed");
     assert!(5 * sum("out of range") < cases, "too many are out of range");
+}
+
+/// What Arb is given: written to the file that `STRADDLE_RECORD` names, or compared with the one of the project.
+#[test]
+fn recorded_starts_are_those_of_the_families() {
+    let made = |cases: u64, seed: u64| -> String {
+        let case = |number| case(&mut Dice(seed ^ number << 20), number);
+        let line = |case: starts::Case| json!({ "family": case.family, "scene": case.text }).to_string() + "\n";
+        (0..cases).map(case).map(line).collect()
+    };
+    match std::env::var("STRADDLE_RECORD") {
+        Ok(file) => {
+            std::fs::write(file, made(number("STRADDLE_CASES", RECORDED), number("STRADDLE_SEED", SEED))).unwrap();
+        }
+        Err(_) => {
+            let text = include_str!("../../validation/arb/straddling.jsonl");
+            assert!(text == made(RECORDED, SEED), "STRADDLE_RECORD=validation/arb/straddling.jsonl records them anew");
+        }
+    }
 }

@@ -42,11 +42,5 @@ pub const CLOSED_FORM: f64 = 1e-12;
 pub const DRAWN_PHASE: f64 = 1e-6;
 pub const DRAWN: f64 = 1e-9;
 pub const DRAWN_END: f64 = 1e-12;
-/// The independent simulator: theorems in 256 bits, and the wall that a contact is on in 300, in parts of the gap.
-pub const TRUTH: f64 = 1e-65;
-pub const TRUTH_ON_THE_WALL: f64 = 1e-50;
-/// The same under all data: in parts of gap and amplitude, and of the way that the rounding of a late time makes.
-pub const TRUTH_AT_RANDOM: f64 = 1e-60;
-pub const TRUTH_LATE: f64 = 1e-76;
 /// The error that an audit tells, to the digits that the list has.
 pub const AUDITED: f64 = 1e-13;

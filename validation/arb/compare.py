@@ -15,6 +15,8 @@ from collections import namedtuple
 from fractions import Fraction
 from itertools import zip_longest
 
+from flint import arb
+
 from controls import check_controls
 from expression import ExpressionError
 from flight import Undecided
@@ -59,15 +61,20 @@ def bounds(row, name):
     return lower, upper
 
 
+def short(fraction):
+    """About the value, whatever its size."""
+    return (arb(fraction.numerator) / fraction.denominator).str(17, radius=False)
+
+
 def judge_quantity(name, printed, ball):
     """True if the printed bounds hold the whole ball, which they must if they are much wider."""
     (lower, upper), (low, high) = printed, ends(ball)
-    shown = f"the {name} is in {ball.str(25)}, the printed bounds are {float(lower)!r}, {float(upper)!r}"
+    shown = lambda: f"the {name} is in {ball.str(25)}, the printed bounds are {short(lower)}, {short(upper)}"
     if high < lower or upper < low:
-        raise Disagreement(f"{shown}: proved to be outside")
+        raise Disagreement(f"{shown()}: proved to be outside")
     holds = lower <= low and high <= upper
     if not holds and (upper - lower) > NARROW * (high - low):
-        raise Disagreement(f"{shown}: the ball sticks out")
+        raise Disagreement(f"{shown()}: the ball sticks out")
     return holds
 
 

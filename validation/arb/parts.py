@@ -86,9 +86,9 @@ def judge_random(tables, impacts, digits, arithmetic, may_be_calm, binary):
     return tally, ""
 
 
-def straddling_jobs(amount, seed):
+def straddling_jobs(amount):
     """Starts next to where a simulator has to choose, in all arithmetics in turn."""
-    for number, (family, tables, impacts) in enumerate(straddling_scenes(amount, seed)):
+    for number, (family, tables, impacts) in enumerate(straddling_scenes(amount)):
         arithmetic = STRADDLING_WAYS[number % len(STRADDLING_WAYS)]
         name = f"{STRADDLING} {number}, {family}, {arithmetic}"
         yield Job(STRADDLING, name, judge_straddling, (tables, impacts, arithmetic), toml(tables))
@@ -180,7 +180,7 @@ def jobs(amount, seed, parts):
         for corner in deep_enough(corners(), amount.depths)
     ]
     found += several_jobs(amount, seed)
-    found += straddling_jobs(amount.straddling, seed)
+    found += straddling_jobs(amount.straddling)
     found += [
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))
         for scene in interval_scenes(amount.intervals, seed)

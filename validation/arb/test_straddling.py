@@ -7,44 +7,28 @@ from flint import arb, ctx
 from compare import Disagreement, bounds
 from controls import printed
 from corners import inside_graze
-from expression import ball, evaluate
-from flight import Flight
 from listing import judge
 from orbit import prove
 from parts import STRADDLING
 from random_scenes import toml
 from rest_controls import moved, renumbered
-from scene import LEFT, RIGHT, Motion, Scene
-from straddling_scenes import FAMILIES, aimed_hop, straddling_scenes
+from scene import LEFT, RIGHT, Scene
+from straddling_scenes import straddling_scenes
 from suite import check_shares
 from timeline import Timeline
 from untold import merged
 
-COUNT = 10 * len(FAMILIES)
-
 
 class Scenes(unittest.TestCase):
-    def test_all_families_and_extremes_are_drawn(self):
-        found = straddling_scenes(COUNT, 1)
-        self.assertEqual(len(Counter(family for family, _, _ in found)), len(set(FAMILIES)))
-        self.assertEqual(found, straddling_scenes(COUNT, 1))
-        self.assertEqual(len({toml(tables) for _, tables, _ in found}), COUNT)
+    def test_all_families_and_extremes_are_there(self):
+        found = straddling_scenes(200)
+        self.assertEqual(len({toml(tables) for _, tables, _ in found}), 200)
+        self.assertEqual(len({family for family, _, _ in found}), 10)
         kinds = Counter(tables["pair"]["restitution"] for _, tables, _ in found)
-        self.assertTrue(all(kinds[e] > 3 for e in ("0", "1/10^30", "1/2", "1 - 1/10^16", "1")))
+        self.assertTrue(all(kinds[e] > 3 for e in ("0", "1/10^30", "1/2", "1-1/10^16", "1")))
         walls = Counter(tables["start"].get("wall") for _, tables, _ in found)
         self.assertTrue(all(walls[where] > 9 for where in (LEFT, RIGHT, None)))
-        self.assertGreater(sum(tables["start"]["velocity"] == "0" for _, tables, _ in found), 9)
-
-    def test_a_hop_is_aimed_at_its_own_wall(self):
-        with ctx.workprec(450):
-            lowest = 2 * arb.pi() * 20 / 128
-            begin = ball(evaluate(aimed_hop(lowest))) * 2 * arb.pi()
-            motion = Motion([(arb("0.1"), arb(1), begin)], arb(1), arb(1))
-            u = arb("0.1") * (lowest.cos() - begin.cos())
-            z, z1, z2 = Flight(motion, LEFT, arb(0), arb(0), u).derivatives(lowest - begin)
-            self.assertTrue(u > 0 and z2 > 0)
-            self.assertLess(abs(z), 1e-88)
-            self.assertLess(abs(z1), 1e-88)
+        self.assertGreater(sum(tables["start"]["velocity"] in ("0", "(0)", "-(0)") for _, tables, _ in found), 9)
 
 
 class Shares(unittest.TestCase):

@@ -1,277 +1,364 @@
-//! The first contact of a free flight, by walking or jumping over the monotone pieces of y(t).
-//!
-//! With phi = W (t - t_i), theta0 = W t_i + tau and b = c / W = v+ / W + A cos(theta0):
+//! True flights under any number of harmonics, by steps that no contact can come within.
 //!
 //! ```text
-//!   y(phi) = y_i + A sin(theta0) + b phi - A sin(theta0 + phi)          (11)
-//!   dy/dphi = b - A cos(theta0 + phi)                                   (12)
+//!   y(t) = y_i + E(t_i) + c (t - t_i) - E(t),   E(t) = sum of A sin(W t + tau),   c = v+ + E'(t_i)    (11)
 //! ```
 //!
-//! |b| >= A: y is monotone. |b| < A, alpha = arccos(b / A): y falls for theta in (-alpha, alpha) and rises for theta in
-//! (alpha, 2 pi - alpha), mod 2 pi; a forcing period adds 2 pi b to every extreme. So after the first two extremes the walls
-//! are met, if ever, by an extreme of the kind the drift b carries outward, and a division gives the forcing period.
+//! A step is as long as the bound `M` of `|y''|` lets it be: with `D > 0` the way to a wall and `D'` its rate, `D + D' h - M h^2/2 > 0` up
+//! to `h = (D' + sqrt(D'^2 + 2 M D)) / M`. Before a contact these are Newton's steps from the side that is safe.
 
-use crate::problem::{Problem, Start, Wall};
-use crate::root::Piece;
+use rug::Float;
 use rug::float::Constant;
-use rug::{Assign, Float};
 
-/// The end of a free flight.
+/// Bits of all data and states.
+pub const BITS: u32 = 640;
+/// A height that is taken for none: `2^-this` of the gap.
+const TOUCH_BITS: u32 = 480;
+/// A speed that is taken for none, before a height that is: `2^-this` of the box's.
+const ZERO_SPEED_BITS: u32 = 220;
+/// A drift or a force that is taken for none: `2^-this` of its bound.
+const ZERO_BITS: u32 = 420;
+/// A pressure that is taken for none: `2^-this` of its bound.
+const ZERO_FORCE_BITS: u32 = BITS / 2;
+/// A rate of the pressure that is taken for none, where the pressure is: `2^-this` of its bound; the way beyond such a touch, of the time in
+/// which the rate changes.
+const TOUCHED_FORCE_BITS: u32 = 150;
+const BEYOND_BITS: u32 = 100;
+/// Steps in MPFR, and in doubles, after which a flight is given up.
+const STEPS: [u32; 2] = [3_000, 60_000];
+/// In doubles a step is taken where both walls are so far, in gaps, and rounding is so little, in parts of that.
+const FAR: f64 = 1e-6;
+const NOISE: f64 = 1e-13;
+
+/// A number of `BITS` bits.
+pub fn float<T>(value: T) -> Float
+where
+    Float: rug::Assign<T>,
+{
+    Float::with_val(BITS, value)
+}
+
+/// One of the two walls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wall {
+    /// y = -d/2.
+    Left,
+    /// y = +d/2.
+    Right,
+}
+
+impl Wall {
+    /// -1 for the left wall, +1 for the right one.
+    pub fn sign(self) -> i32 {
+        if self == Wall::Left { -1 } else { 1 }
+    }
+}
+
+/// A harmonic.
 #[derive(Clone, Debug)]
-pub enum Truth {
-    /// The ball meets `wall` at `time` (absolute) with relative velocity `velocity_before`, for the first time.
-    Contact {
-        /// Absolute time.
-        time: Float,
-        /// The wall met.
-        wall: Wall,
-        /// y' just before; it points into the wall.
-        velocity_before: Float,
-    },
-    /// A rest on a wall with v+ = 0 and a positive contact force: the ball stays for a while (how long is not this function's question).
-    Rests,
-    /// No contact, ever: the ball neither drifts (c = 0, or not distinguished from 0 with inputs of P bits) nor reaches.
-    Never,
-    /// Not decidable by this truth: near `time` (absolute) the ball comes within 2^-(3P/4) max(d, A) of touching a
-    /// wall tangentially, or meets it too slowly.
-    Graze {
-        /// Absolute time of the extreme or of the best guess.
-        time: Float,
-    },
+pub struct Tone {
+    /// A, of any sign.
+    pub amplitude: Float,
+    /// W > 0, radians per unit of time.
+    pub frequency: Float,
+    /// tau, radians.
+    pub phase: Float,
 }
 
-/// The beginning of a flight.
-enum Heading {
-    /// The ball first moves towards this wall.
-    Towards(Wall),
-    /// v+ = 0 with theta0 = 0 or pi, as far as P bits tell: released, y''' moves it monotonely towards this wall.
-    Released(Wall),
-    /// The ball is held on its wall.
-    Rests,
-    /// A = 0 and v+ = 0, inside.
-    Floats,
+/// The pair: its harmonics that are not 0.
+#[derive(Clone, Debug)]
+pub struct Shaken {
+    /// The excitation.
+    pub tones: Vec<Tone>,
+    /// d > 0.
+    pub gap: Float,
+    /// e in [0, 1].
+    pub restitution: Float,
 }
 
-/// A root or extreme that `bits` did not decide.
-pub(crate) struct Unresolved {
+/// The state of the ball after an impact, inside, or at rest.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Absolute time.
     pub time: Float,
-    /// log2 of the number of forcing periods flown: as many bits are lost.
-    pub turn_bits: u32,
+    /// The wall it is on.
+    pub on: Option<Wall>,
+    /// y, from the middle of the gap.
+    pub position: Float,
+    /// y' from now on.
+    pub velocity_after: Float,
+    /// So long after `time` nothing comes: the flight was followed until then.
+    pub clear: Float,
 }
 
-/// Finds the first contact |y| = d/2 after the start; a wall the ball starts from counts from when it has left it.
-///
-/// From a wall with v+ = 0 the first derivative that does not vanish decides: y'' inward leaves, outward rests; with
-/// |sin(theta0)| below 2^-(P-16) (more for a huge W t) y'' counts as 0, theta0 as exactly 0 or pi, and y''' decides.
-///
-/// **Equation** (11), (12), (14). **Units** those of the problem. **Accuracy** see the crate's page.
-/// **Panics**: parameters or state outside the domains of [`Problem`] and [`Start`], such as v+ pointing into the wall.
-/// **Cost**: 40 microseconds or so at 256 bits, whatever the number of forcing periods.
-pub fn first_contact(problem: &Problem, start: &Start) -> Truth {
-    problem.check();
-    start.check(problem);
-    // A hop of speed u is about u high to the second power: both digits of u are lost against A W and A.
-    let mut bits = problem.precision() + 64 + 2 * slowness(problem, start);
-    let mut unresolved = None;
-    for _ in 0..3 {
-        match Flight::new(problem, start, bits).resolve() {
-            Ok(truth) => return truth,
-            Err(failure) => {
-                bits = bits + problem.precision() + failure.turn_bits;
-                unresolved = Some(failure.time);
+/// One impact.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// Absolute time.
+    pub time: Float,
+    /// The wall met.
+    pub wall: Wall,
+    /// y' just before; it points into the wall.
+    pub velocity_before: Float,
+}
+
+/// The next event of a motion.
+#[derive(Clone, Debug)]
+pub enum Next {
+    /// The first impact.
+    Contact(Contact),
+    /// An extremum on a wall; the flight goes on, and is clear of it after the second time, from the start of the flight.
+    Touch(Float, Wall, Float),
+    /// The contact force holds the ball.
+    Rests,
+    /// No impact comes.
+    Never,
+    /// More than this simulator follows.
+    Open,
+}
+
+impl State {
+    /// The state after an impact, by (15).
+    pub fn after(shaken: &Shaken, contact: &Contact) -> Self {
+        let velocity_after = -float(&shaken.restitution * &contact.velocity_before);
+        Self::on_wall(shaken, contact.wall, contact.time.clone(), velocity_after)
+    }
+
+    /// The state on a wall.
+    pub fn on_wall(shaken: &Shaken, wall: Wall, time: Float, velocity_after: Float) -> Self {
+        let position = float(&shaken.gap / 2) * wall.sign();
+        Self { time, on: Some(wall), position, velocity_after, clear: float(0) }
+    }
+
+    /// The state at a place between the walls.
+    pub fn inside(time: Float, position: Float, velocity_after: Float) -> Self {
+        Self { time, on: None, position, velocity_after, clear: float(0) }
+    }
+}
+
+impl Tone {
+    /// Sine and cosine of the phase at a time.
+    fn wave(&self, time: &Float) -> (Float, Float) {
+        (float(&self.frequency * time) + &self.phase).sin_cos(float(0))
+    }
+
+    /// `A W^power`.
+    fn weight(&self, power: u32) -> Float {
+        (0..power).fold(self.amplitude.clone(), |weight, _| weight * &self.frequency)
+    }
+}
+
+impl Shaken {
+    /// The sum of `A W^power` times the sine or the cosine of each phase at a time.
+    fn sum(&self, time: &Float, power: u32, is_sine: bool) -> Float {
+        self.tones.iter().fold(float(0), |sum, tone| {
+            let (sine, cosine) = tone.wave(time);
+            sum + tone.weight(power) * if is_sine { sine } else { cosine }
+        })
+    }
+
+    /// The bound of the sum.
+    pub fn bound(&self, power: u32) -> Float {
+        self.tones.iter().fold(float(0), |sum, tone| sum + tone.weight(power).abs())
+    }
+
+    /// The next event after a state.
+    pub fn next(&self, state: &State) -> Next {
+        Course::new(self, state).next()
+    }
+
+    /// The time at which the contact force on a wall ends, at or after a time; `None` where it is not found.
+    pub fn release(&self, wall: Wall, time: &Float) -> Option<Float> {
+        let [force, rate, most] = [2, 3, 4].map(|power| self.bound(power));
+        let mut now = time.clone();
+        for _ in 0..STEPS[0] {
+            let pressure = self.sum(&now, 2, true) * wall.sign();
+            let slope = self.sum(&now, 3, false) * wall.sign();
+            if pressure < float(&force >> ZERO_FORCE_BITS) && slope < 0 {
+                if -slope.clone() > float(&rate >> TOUCHED_FORCE_BITS) {
+                    // A last step, of Newton's.
+                    return Some(now - pressure / slope);
+                }
+                // The force touches 0, and the ball stays.
+                now += float(&rate / &most) >> BEYOND_BITS;
+                continue;
+            }
+            let least = float(now.abs_ref()).max(&float(&rate / &most)) >> (BITS - 8);
+            now += safe(&pressure, &slope, &most).max(&least);
+        }
+        None
+    }
+
+    /// The common period of the harmonics, where it is one of a few of the first.
+    fn period(&self) -> Option<Float> {
+        let first = &self.tones.first()?.frequency;
+        let is_whole = |x: Float| -> bool {
+            let off: Float = x.clone() - x.round();
+            off.abs() < float(Float::u_exp(1, -(ZERO_BITS as i32)))
+        };
+        let of = |turns: u32| self.tones.iter().all(|tone| is_whole(float(&tone.frequency / first) * turns));
+        let turns = (1..=12).find(|&turns| of(turns))?;
+        Some(float(Constant::Pi) * 2 * turns / first)
+    }
+}
+
+/// The longest step from a height with a slope that is sure to stay above 0.
+fn safe(height: &Float, slope: &Float, most: &Float) -> Float {
+    let height: Float = float(height).max(&float(0));
+    let root = float(float(slope.square_ref()) + float(most * &height) * 2u32).sqrt();
+    // Without cancellation where the wall comes nearer.
+    if *slope >= 0 { (root + slope) / most } else { height * 2 / (root - slope) }
+}
+
+/// A flight, from its start on.
+struct Course<'a> {
+    shaken: &'a Shaken,
+    state: &'a State,
+    /// `c`, and `y + E` at the start.
+    drift: Float,
+    base: Float,
+    half: Float,
+    /// The bounds of `|y''|` and `|y'''|`.
+    most: Float,
+    jerk: Float,
+    /// Phases at the start, in doubles, with amplitude and frequency.
+    doubles: Vec<[f64; 3]>,
+}
+
+impl<'a> Course<'a> {
+    fn new(shaken: &'a Shaken, state: &'a State) -> Self {
+        let (mut drift, mut base, mut doubles) = (state.velocity_after.clone(), state.position.clone(), Vec::new());
+        for tone in &shaken.tones {
+            let (sine, cosine) = tone.wave(&state.time);
+            drift += tone.weight(1) * &cosine;
+            base += float(&tone.amplitude * &sine);
+            let phase = Float::with_val(64, sine).atan2(&Float::with_val(64, cosine));
+            doubles.push([phase.to_f64(), tone.amplitude.to_f64(), tone.frequency.to_f64()]);
+        }
+        let [most, jerk] = [2, 3].map(|power| shaken.bound(power));
+        Self { shaken, state, drift, base, half: float(&shaken.gap / 2), most, jerk, doubles }
+    }
+
+    /// The way to each wall, its rate, and the size of `y''`.
+    fn heights(&self, elapsed: &Float) -> ([(Wall, Float, Float); 2], Float) {
+        let time = float(&self.state.time + elapsed);
+        let (mut y, mut rate) = (float(&self.drift * elapsed) + &self.base, self.drift.clone());
+        let mut acceleration = float(0);
+        for tone in &self.shaken.tones {
+            let (sine, cosine) = tone.wave(&time);
+            acceleration += tone.weight(2) * &sine;
+            y -= sine * &tone.amplitude;
+            rate -= cosine * tone.weight(1);
+        }
+        let heights = [Wall::Left, Wall::Right].map(|wall| {
+            let sign = wall.sign();
+            (wall, float(&self.half - float(&y * sign)), float(&rate * -sign))
+        });
+        (heights, acceleration.abs())
+    }
+
+    /// A safe step: by the bound of `|y''|`, or by twice its own size, up to where it may have grown to that.
+    fn step(&self, height: &Float, slope: &Float, acceleration: &Float) -> Float {
+        let grown = float(acceleration / &self.jerk);
+        safe(height, slope, &self.most).max(&safe(height, slope, &float(acceleration * 2)).min(&grown))
+    }
+
+    /// A safe step in doubles, where both walls are far.
+    fn quick(&self, elapsed: f64) -> Option<f64> {
+        let (half, drift, most) = (self.half.to_f64(), self.drift.to_f64(), self.most.to_f64());
+        if half < 1e-280 || most < f64::MIN_POSITIVE && !self.doubles.is_empty() {
+            return None;
+        }
+        let (mut y, mut rate) = (self.base.to_f64() + drift * elapsed, drift);
+        let mut noise = half + self.base.to_f64().abs() + (drift * elapsed).abs();
+        for [phase, amplitude, frequency] in &self.doubles {
+            let angle = phase + frequency * elapsed;
+            y -= amplitude * angle.sin();
+            rate -= amplitude * frequency * angle.cos();
+            noise += amplitude.abs() * (1.0 + angle.abs());
+        }
+        let margin = NOISE * noise;
+        let step = |sign: f64| {
+            let (height, slope) = (half - sign * y - margin, -sign * rate);
+            // Neither underflows where lengths are as small as doubles.
+            let root = slope.hypot((2.0 * most).sqrt() * height.sqrt());
+            let step = if slope < 0.0 { 2.0 * height / (root - slope) } else { (root + slope) / most };
+            (height > FAR * half).then_some(0.999 * step)
+        };
+        let step = step(1.0)?.min(step(-1.0)?);
+        (step > 0.0 && step.is_finite() && margin < FAR * half).then_some(step)
+    }
+
+    /// The time, after a period without contact, before which no extremum reaches the wall that the drift leads to: from period to period
+    /// all heights move as it does, so the wall behind is left for ever.
+    fn carried(&self) -> Float {
+        let way = float(&self.half - self.shaken.bound(0)) - float(&self.base * if self.drift < 0 { -1 } else { 1 });
+        way / float(self.drift.abs_ref()) * (1u32 - float(Float::u_exp(1, -600)))
+    }
+
+    /// The first step from a wall without velocity: by the first derivative that is not 0; `None` where it points outward.
+    fn leave(&self, wall: Wall) -> Option<Float> {
+        let [acceleration, jerk] =
+            [2, 3].map(|power| self.shaken.sum(&self.state.time, power, power == 2) * -wall.sign());
+        let bounds = [2, 3, 4].map(|power| self.shaken.bound(power));
+        if is_none(&acceleration, &bounds[0]) {
+            return (jerk > 0).then(|| jerk * 4 / &bounds[2]);
+        }
+        (acceleration > 0).then(|| acceleration * 3 / &bounds[1])
+    }
+
+    fn next(&self) -> Next {
+        let State { on, velocity_after, clear, .. } = self.state;
+        let mut elapsed = clear.clone();
+        if let (Some(wall), true, true) = (on, velocity_after.is_zero(), elapsed.is_zero()) {
+            match self.leave(*wall) {
+                None => return Next::Rests,
+                // The other wall may be nearer.
+                Some(step) => {
+                    let others = self.heights(&elapsed).0.into_iter().filter(|(other, ..)| other != wall);
+                    let most = |step: Float, (_, height, slope)| step.min(&safe(&height, &slope, &self.most));
+                    elapsed = others.fold(step, most);
+                }
             }
         }
-    }
-    Truth::Graze { time: unresolved.expect("three attempts failed") }
-}
-
-/// log2(A W / v+) for a start on a wall, at least 0, at most 2 P.
-fn slowness(problem: &Problem, start: &Start) -> u32 {
-    let scale = Float::with_val(64, &problem.amplitude * &problem.omega);
-    match (start.on, scale.get_exp(), start.velocity_after.get_exp()) {
-        (Some(_), Some(large), Some(small)) => (large.saturating_sub(small).max(0) as u32).min(2 * problem.precision()),
-        _ => 0,
-    }
-}
-
-/// A flight prepared at `bits` of precision.
-pub(crate) struct Flight<'a> {
-    pub problem: &'a Problem,
-    pub start: &'a Start,
-    pub bits: u32,
-    pub two_pi: Float,
-    /// W t_i + tau, in [-pi, pi].
-    pub theta0: Float,
-    pub sine0: Float,
-    pub cosine0: Float,
-    /// c / W.
-    pub b: Float,
-    /// y_i + A sin(theta0).
-    pub base: Float,
-    pub half_gap: Float,
-    /// max(d, A).
-    pub scale: Float,
-    /// log2 |W t_i + tau|, at least 0: this many of P bits of the phase are whole forcing periods.
-    pub phase_bits: u32,
-}
-
-impl<'a> Flight<'a> {
-    fn new(problem: &'a Problem, start: &'a Start, bits: u32) -> Flight<'a> {
-        let (theta0, phase_bits) = reduced_phase(problem, start, bits);
-        let (sine0, cosine0) = theta0.clone().sin_cos(Float::new(bits));
-        let b = Float::with_val(bits, &start.velocity_after / &problem.omega)
-            + Float::with_val(bits, &problem.amplitude * &cosine0);
-        let base = Float::with_val(bits, &problem.amplitude * &sine0) + start.place(problem);
-        Flight {
-            problem,
-            start,
-            bits,
-            two_pi: Float::with_val(bits, Constant::Pi) * 2,
-            theta0,
-            sine0,
-            cosine0,
-            b,
-            base,
-            half_gap: Float::with_val(bits, &problem.gap / 2),
-            scale: Float::with_val(bits, problem.gap.max_ref(&problem.amplitude)),
-            phase_bits,
+        let (scale, speed) = (float(&self.shaken.gap >> TOUCH_BITS), self.shaken.bound(1) >> ZERO_SPEED_BITS);
+        let is_still = is_none(&self.drift, &self.shaken.bound(1));
+        let is_inside = float(self.base.abs_ref()) + self.shaken.bound(0) < self.half;
+        if is_still && is_inside {
+            return Next::Never;
         }
-    }
-
-    pub(crate) fn float<T>(&self, value: T) -> Float
-    where
-        Float: Assign<T>,
-    {
-        Float::with_val(self.bits, value)
-    }
-
-    /// A sine, cosine or c / (A W) below this is taken for 0: the caller meant a release phase or c = 0, and P bits of
-    /// tau, W (with its pi) and t could not say so. Whole forcing periods take bits of P; counted up to P/4, for past that nobody
-    /// gets there by rounding and a huge t is meant exactly.
-    pub(crate) fn input_rounding(&self) -> Float {
-        let precision = self.problem.precision() as i32;
-        let turn_bits = (self.phase_bits as i32).min(precision / 4);
-        self.float(Float::u_exp(1, turn_bits + 16 - precision))
-    }
-
-    fn heading(&self) -> Heading {
-        if let Some(direction) = Wall::of_sign(&self.start.velocity_after) {
-            return Heading::Towards(direction); // Start::check: inward, if on a wall
-        }
-        let heading = if self.problem.amplitude.is_zero() {
-            return if self.start.on.is_some() { Heading::Rests } else { Heading::Floats };
-        } else if self.float(self.sine0.abs_ref()) > self.input_rounding() {
-            // y'' = A W^2 sin(theta0)
-            Heading::Towards(Wall::of_sign(&self.sine0).expect("not zero"))
-        } else {
-            // y''' = A W^3 cos(theta0)
-            Heading::Released(Wall::of_sign(&self.cosine0).expect("cosine is +-1 here"))
-        };
-        match heading {
-            Heading::Towards(wall) | Heading::Released(wall) if self.start.on == Some(wall) => Heading::Rests,
-            other => other,
-        }
-    }
-
-    fn resolve(mut self) -> Result<Truth, Unresolved> {
-        let direction = match self.heading() {
-            Heading::Rests => return Ok(Truth::Rests),
-            Heading::Floats => return Ok(Truth::Never),
-            Heading::Released(direction) => {
-                // Exactly theta0 = 0 (rightwards) or pi, b = +-A.
-                self.theta0 = if direction == Wall::Right { self.float(0) } else { self.float(&self.two_pi / 2) };
-                self.b = self.float(&self.problem.amplitude * direction.sign());
-                self.base = self.float(self.start.place(self.problem));
-                return self.monotone(direction);
+        let mut end = self.shaken.period().map(|period| period + clear);
+        let (mut precise, mut quick) = (0, 0);
+        while precise < STEPS[0] && quick < STEPS[1] {
+            if end.as_ref().is_some_and(|end| elapsed > *end) {
+                if is_still {
+                    return Next::Never;
+                }
+                (elapsed, end) = (elapsed.max(&self.carried()), None);
             }
-            Heading::Towards(direction) => direction,
-        };
-        if self.problem.amplitude.is_zero() {
-            return Ok(self.straight(direction));
-        }
-        if self.b.cmp_abs(&self.problem.amplitude).expect("numbers").is_ge() {
-            let drift = Wall::of_sign(&self.b).expect("|b| >= A > 0");
-            return self.monotone(drift);
-        }
-        self.wavy(direction)
-    }
-
-    /// A = 0: a straight line to the wall.
-    fn straight(&self, direction: Wall) -> Truth {
-        let travel = self.float(&self.half_gap * direction.sign()) - &self.base;
-        let elapsed = travel / &self.start.velocity_after;
-        let precision = self.problem.precision();
-        Truth::Contact {
-            time: Float::with_val(precision, elapsed + &self.start.time),
-            wall: direction,
-            velocity_before: Float::with_val(precision, &self.start.velocity_after),
-        }
-    }
-
-    /// |b| >= A: y runs to the wall on the side of b, within 2 A of the straight line y_i + b phi.
-    fn monotone(&self, direction: Wall) -> Result<Truth, Unresolved> {
-        let travel = self.float(&self.half_gap * direction.sign()) - self.start.place(self.problem);
-        let slack = self.float(&self.problem.amplitude * 2);
-        let speed = self.float(self.b.abs_ref());
-        let from = self.float((self.float(travel.abs_ref()) - &slack) / &speed).max(&Float::new(self.bits));
-        let to = self.float((travel.abs() + slack) / speed);
-        let turns = self.float(&from / &self.two_pi).floor();
-        let whole = self.float(&turns * &self.two_pi);
-        self.contact(direction, from - &whole, to - &whole, &turns)
-    }
-
-    /// t_i + (phi + 2 pi turns) / W at the problem's precision.
-    pub(crate) fn time(&self, phi: &Float, turns: &Float) -> Float {
-        let elapsed = (self.float(turns * &self.two_pi) + phi) / &self.problem.omega;
-        Float::with_val(self.problem.precision(), elapsed + &self.start.time)
-    }
-
-    pub(crate) fn graze(&self, phi: &Float, turns: &Float) -> Truth {
-        Truth::Graze { time: self.time(phi, turns) }
-    }
-
-    /// The contact with `wall` on the monotone piece `from..to` (radians, less `turns` whole ones).
-    pub(crate) fn contact(&self, wall: Wall, from: Float, to: Float, turns: &Float) -> Result<Truth, Unresolved> {
-        let turn_bits = turns.get_exp().unwrap_or(0).max(0) as u32;
-        let carried = self.float(&self.two_pi * turns) * &self.b + &self.base;
-        // Every term of D is below `largest`, and the error of b (some 2^-bits of it or of A) is carried on for
-        // `turns` forcing periods; 2^10 is 2 pi, a dozen roundings and slack.
-        let largest = self.float(self.scale.max_ref(&self.float(self.b.abs_ref())));
-        let noise = largest >> (self.bits - 10 - turn_bits.min(self.bits - 10));
-        let piece = Piece {
-            base: carried * wall.sign() - &self.half_gap,
-            drift: self.float(&self.b * wall.sign()),
-            amplitude: self.float(&self.problem.amplitude * wall.sign()),
-            theta0: self.theta0.clone(),
-            from,
-            to,
-            noise,
-        };
-        // Two bits better than promised.
-        match piece.root(self.problem.precision() - 38) {
-            Ok(phi) => {
-                let cosine = self.float(&self.theta0 + &phi).cos();
-                let slope = self.float(&self.b - self.float(&self.problem.amplitude * &cosine));
-                Ok(Truth::Contact {
-                    time: self.time(&phi, turns),
-                    wall,
-                    velocity_before: Float::with_val(self.problem.precision(), slope * &self.problem.omega),
-                })
+            if let Some(step) = self.quick(elapsed.to_f64()).filter(|_| !elapsed.is_zero()) {
+                (elapsed, quick) = (elapsed + step, quick + 1);
+                continue;
             }
-            Err(phi) => Err(Unresolved { time: self.time(&phi, turns), turn_bits }),
+            let (heights, acceleration) = self.heights(&elapsed);
+            let met = heights.iter().find(|(_, height, slope)| *height <= scale && *slope <= 0);
+            if let Some((wall, _, slope)) = met.filter(|_| !elapsed.is_zero()) {
+                let time = float(&self.state.time + &elapsed);
+                if float(slope.abs_ref()) > speed {
+                    let velocity_before = float(-slope) * wall.sign();
+                    return Next::Contact(Contact { time, wall: *wall, velocity_before });
+                }
+                let beyond = float(Float::u_exp(1, -160)) * (float(&self.half / &self.most)).sqrt();
+                return Next::Touch(time, *wall, elapsed + beyond);
+            }
+            let [left, right] = heights.map(|(_, height, slope)| self.step(&height, &slope, &acceleration));
+            (elapsed, precise) = (elapsed + left.min(&right), precise + 1);
         }
+        Next::Open
     }
 }
 
-/// W t_i + tau less whole forcing periods, in [-pi, pi] up to rounding, and log2 of its size before (at least 0).
-fn reduced_phase(problem: &Problem, start: &Start, bits: u32) -> (Float, u32) {
-    let whole = Float::with_val(bits, &problem.omega * &start.time) + &problem.tau;
-    let phase_bits = whole.get_exp().unwrap_or(0).max(0) as u32;
-    // Absolute error under 2^-(bits + 8).
-    let wide = bits + phase_bits + 16;
-    let phase = Float::with_val(wide, &problem.omega * &start.time) + &problem.tau;
-    let two_pi = Float::with_val(wide, Constant::Pi) * 2;
-    let turns = Float::with_val(wide, &phase / &two_pi).round();
-    let reduced = phase - turns * two_pi;
-    (Float::with_val(bits, reduced), phase_bits)
+/// Whether a sum is taken for none.
+fn is_none(sum: &Float, bound: &Float) -> bool {
+    float(sum.abs_ref()) <= float(bound >> ZERO_BITS)
 }

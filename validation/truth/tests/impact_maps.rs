@@ -1,19 +1,18 @@
 //! The impact map over sets: images hold the next impacts of their members, Jacobians the quotients of their differences.
 
-use crate::common::judge::{float, holds, same_wall};
-use crate::common::{Random, cases};
+use crate::crossings::motion::Motion;
+use crate::flights::judge::{holds, reduced, same_wall};
+use crate::random::{Random, cases};
 use impact_pair::impact_map::{Image, ImpactMap, States};
 use impact_pair::number::Ball;
 use impact_pair::{Harmonic, ImpactPair, pair};
-use impact_pair_truth::{Contact, Number, Problem, Start, Wall, orbit};
+use impact_pair_truth::{Contact, Shaken, State, Wall, float};
 use rug::Float;
-
-const BITS: u32 = 256;
 
 /// A pair with `W = 2 pi`, `tau = 0` and `d = 1`, in which times are phases and velocities are without units.
 struct Pair {
     map: ImpactMap,
-    problem: Problem,
+    shaken: Shaken,
 }
 
 impl Pair {
@@ -21,16 +20,14 @@ impl Pair {
         let exact = |x: f64| format!("{x:?}").parse().unwrap();
         let harmonic = Harmonic::new(exact(amplitude), "2*pi".parse().unwrap(), exact(0.0)).unwrap();
         let pair = ImpactPair::new(harmonic, exact(1.0), exact(restitution)).unwrap();
-        let decimal = |x: f64| format!("{x:?}");
-        let [amplitude, restitution] = [amplitude, restitution].map(decimal);
-        let problem = Problem::new(BITS, &*amplitude, Number::pi_times(2), 0, 1, &*restitution);
-        Self { map: ImpactMap::new(&pair).unwrap(), problem }
+        Self { map: ImpactMap::new(&pair).unwrap(), shaken: reduced(float(amplitude), restitution) }
     }
 
-    /// The impacts that follow one at this phase, with this velocity before it.
+    /// The impacts that follow one at this phase, with this velocity before it, as far as they are told.
     fn impacts(&self, wall: Wall, phase: f64, velocity: f64, count: usize) -> Vec<Contact> {
-        let after = -(float(velocity) * &self.problem.restitution);
-        orbit(&self.problem, &Start::on_wall(&self.problem, wall, phase, &after), count)
+        let before = Contact { time: float(phase), wall, velocity_before: float(velocity) };
+        let mut motion = Motion::new(&self.shaken, State::after(&self.shaken, &before));
+        (0..count).map_while(|_| motion.contact(&mut Vec::new()).ok()?).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The library is built with an `inari` that has no sine; only here is there one, to judge ours.
 
-use crate::common::{Random, cases};
+use crate::random::{Random, cases};
 use impact_pair::inari::Interval;
 use impact_pair::number::kernel::{self, SIN_COS_ERROR};
 use impact_pair::number::{Ball, Number, Wave};

@@ -12,6 +12,8 @@ use rug::integer::Order;
 use rug::ops::{AddAssignRound, DivAssignRound, MulAssignRound, SubAssignRound};
 use rug::{Float, Integer};
 
+use crate::random::Random;
+
 /// A number of MPFR as the centre of a ball.
 fn ours(x: &Float) -> MpBall {
     let Some((mantissa, exponent)) = x.to_integer_exp() else { return MpBall::from_f64_bits(0.0, x.prec()) };
@@ -53,25 +55,16 @@ fn judge(name: &str, found: &MpBall, near: &Float, (rounded, ordering): (Float, 
 }
 
 /// Random numbers, often short, of nearby or far exponents, or nearly equal.
-struct Operands {
-    state: u64,
-}
+struct Operands(Random);
 
 impl Operands {
-    fn digit(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.state ^ (self.state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-
     fn below(&mut self, n: u32) -> u32 {
-        (self.digit() % u64::from(n)) as u32
+        self.0.below(u64::from(n)) as u32
     }
 
     fn number(&mut self, bits: u32, reach: i32) -> Float {
         let own = [bits, bits, bits / 2, 8, 64.min(bits), 1][self.below(6) as usize];
-        let random: Vec<u64> = (0..own.div_ceil(64)).map(|_| self.digit()).collect();
+        let random: Vec<u64> = (0..own.div_ceil(64)).map(|_| self.0.bits()).collect();
         let mut digits = Integer::from_digits(&random, Order::Lsf).keep_bits(own);
         digits.set_bit(own - 1, true);
         // Runs of ones and zeros find what carries.
@@ -95,7 +88,7 @@ fn cases() -> u32 {
 
 #[test]
 fn arithmetic_is_that_of_mpfr() {
-    let mut operands = Operands { state: 64 };
+    let mut operands = Operands(Random::new(64));
     for case in 0..cases() {
         let bits = [53, 64, 65, 127, 128, 200, 640, 704, 1000, 1536, 3000, 9000]
             [case as usize % if case % 50 == 0 { 12 } else { 10 }];
@@ -170,7 +163,7 @@ fn arithmetic_is_that_of_mpfr() {
 /// Sine and cosine within 1.01 units of `2^-bits`, and the arc cosine as many bits of the angle.
 #[test]
 fn functions_are_those_of_mpfr() {
-    let mut operands = Operands { state: 64 };
+    let mut operands = Operands(Random::new(64));
     for case in 0..cases() / 10 {
         let bits = [53, 64, 128, 200, 1000, 3000, 9000, 40_000][case as usize % if case % 50 == 0 { 8 } else { 5 }];
         let far = [0, 0, 2, 31, 33][case as usize % 5];
@@ -225,7 +218,7 @@ fn functions_are_those_of_mpfr() {
 /// Lemma B3, at the centre and at both ends.
 #[test]
 fn balls_hold_the_logarithm() {
-    let mut operands = Operands { state: 64 };
+    let mut operands = Operands(Random::new(64));
     for _ in 0..cases() {
         let mid = (0.5 + 1.5 * f64::from(operands.below(1 << 31)) / 2f64.powi(31))
             * 2f64.powi(operands.below(2000) as i32 - 1000);

@@ -1,115 +1,31 @@
-//! The ends of motions from random starts, by an independent simulator in bisected doubles, compared with those of a global analysis.
+//! The ends of true motions from random starts, compared with those of a global analysis.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use impact_pair::chaos::{BasinOutcome, Global, GlobalSettings, Kind};
-use impact_pair::document;
-use impact_pair::pair::Wall;
+use impact_pair::pair::Wall as LibraryWall;
 use impact_pair::watch::Unwatched;
-use impact_pair::{Harmonic, ImpactPair, Scene};
-use impact_pair_certificate::{Claims, Effort, Verdict};
-use serde_json::json;
+use impact_pair::{Harmonic, ImpactPair};
+use impact_pair_truth::{Contact, Shaken, State, Wall, float};
 use std::collections::BTreeMap;
 
-use crate::common::Random;
+use crate::crossings::motion::Motion;
+use crate::flights::judge::reduced;
+use crate::random::Random;
 
 /// `A/d` and `e` of twenty points: thirteen where all motions rest, three of one attractor, four where its basin is proved in part.
-const POINTS: [[&str; 2]; 20] = [
-    ["1.32279", "0.05"],
-    ["1.32279", "0.213636"],
-    ["1.737939", "0.131818"],
-    ["1.737939", "0.295455"],
-    ["2.283378", "0.213636"],
-    ["2.283378", "0.377273"],
-    ["3", "0.05"],
-    ["3", "0.213636"],
-    ["3", "0.377273"],
-    ["3", "0.459091"],
-    ["0.583258", "0.377273"],
-    ["0.766309", "0.213636"],
-    ["0.337889", "0.05"],
-    ["1.32279", "0.131818"],
-    ["0.443933", "0.05"],
-    ["0.443933", "0.131818"],
-    ["0.337889", "0.213636"],
-    ["1.32279", "0.295455"],
-    ["1.737939", "0.05"],
-    ["2.283378", "0.295455"],
-];
+const POINTS: &str = "1.32279 0.05, 1.32279 0.213636, 1.737939 0.131818, 1.737939 0.295455, 2.283378 0.213636, \
+    2.283378 0.377273, 3 0.05, 3 0.213636, 3 0.377273, 3 0.459091, \
+    0.583258 0.377273, 0.766309 0.213636, 0.337889 0.05, 1.32279 0.131818, 0.443933 0.05, \
+    0.443933 0.131818, 0.337889 0.213636, 1.32279 0.295455, 1.737939 0.05, 2.283378 0.295455";
 
-/// Steps of a flight \[rad\], the longest flight, and bisections of a contact.
-const STEP: f64 = 0.02;
-const LONGEST: f64 = 2e4;
-const BISECTIONS: u32 = 60;
-/// A ball that is pressed to the wall and leaves it more slowly than this, over `A W`, rests.
-const RELEASE_SPEED: f64 = 1e-10;
+fn points() -> Vec<[&'static str; 2]> {
+    POINTS.split(", ").filter_map(|point| Some(point.split_once(' ')?.into())).collect()
+}
+
 /// Impacts of a motion, and how near to an attractor it is in the end.
-const IMPACTS: usize = 20_000;
+const IMPACTS: usize = 2_000;
 const ATTRACTOR_DISTANCE: f64 = 1e-5;
-
-/// The pair: `D = d/A` and `e`. All impacts are mirrored to the left wall: a state is a phase \[rad\] and a speed over `A W`.
-struct Simulator {
-    gap: f64,
-    restitution: f64,
-}
-
-/// The next event of a motion.
-enum Next {
-    Impact([f64; 2]),
-    Rests,
-    /// A longer flight than is followed.
-    Long,
-}
-
-/// The first place in an interval at whose end a condition holds, and not at its beginning.
-fn bisected([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (low + high);
-        if holds(middle) { high = middle } else { low = middle }
-    }
-    high
-}
-
-impl Simulator {
-    fn next(&self, [phase, speed]: [f64; 2]) -> Next {
-        let (after, (sin, cos)) = (self.restitution * speed, phase.sin_cos());
-        if after < RELEASE_SPEED && sin < 0.0 {
-            return Next::Rests;
-        }
-        // The height over the time of flight x: after (11), without the root at the start.
-        let slope = |x: f64| {
-            let [fall, turn] = if x < 1e-3 { [x * x / 6.0, 0.5 * x] } else { [(x - x.sin()) / x, (1.0 - x.cos()) / x] };
-            after + cos * fall + sin * turn
-        };
-        let drift = after + cos;
-        let velocity = |x: f64| drift - (phase + x).cos();
-        let (is_back, is_across) = (|x: f64| slope(x) <= 0.0, |x: f64| x * slope(x) >= self.gap);
-        let landed = |x: f64, is_far: bool| {
-            let at = phase + x + if is_far { PI } else { 0.0 };
-            Next::Impact([at.rem_euclid(TAU), velocity(x).abs()])
-        };
-        let mut low = 0.0;
-        while low < LONGEST {
-            let mut high = low + STEP;
-            // The lowest or the highest place between.
-            if (velocity(low) < 0.0) != (velocity(high) < 0.0) && low > 0.0 {
-                let is_rising = velocity(high) >= 0.0;
-                let turn = bisected([low, high], |x| (velocity(x) >= 0.0) == is_rising);
-                if is_back(turn) || is_across(turn) {
-                    high = turn;
-                }
-            }
-            if is_back(high) {
-                return landed(bisected([low, high], is_back), false);
-            }
-            if is_across(high) {
-                return landed(bisected([low, high], is_across), true);
-            }
-            low = high;
-        }
-        Next::Long
-    }
-}
 
 /// The end of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -127,7 +43,7 @@ fn attractors(found: &Global) -> Vec<(usize, Vec<[f64; 2]>)> {
     let states = |kind: &Kind| match kind {
         Kind::Attracting(limit) => {
             let states = limit.orbit.impacts.iter().map(|impact| {
-                let half = if impact.wall == Wall::Right { 0.5 } else { 0.0 };
+                let half = if impact.wall == LibraryWall::Right { 0.5 } else { 0.0 };
                 let phase = TAU * (impact.phase.mid_rad().0 + half);
                 [phase.rem_euclid(TAU), impact.velocity.mid_rad().0.abs() * found.speed_unit]
             });
@@ -144,17 +60,27 @@ fn apart([u, w]: [f64; 2], [v, x]: [f64; 2]) -> f64 {
     turned.min(TAU - turned).hypot(w - x)
 }
 
-fn end(simulator: &Simulator, attractors: &[(usize, Vec<[f64; 2]>)], mut state: [f64; 2]) -> End {
+/// The state of an impact, mirrored to the left wall: phase \[rad\] and speed over `A W`.
+fn state(shaken: &Shaken, contact: &Contact) -> [f64; 2] {
+    let half = if contact.wall == Wall::Right { 0.5 } else { 0.0 };
+    let turns = float(&contact.time + half);
+    let phase = float(&turns - float(turns.floor_ref())).to_f64() * TAU;
+    [phase, float(contact.velocity_before.abs_ref()).to_f64() / shaken.bound(1).to_f64()]
+}
+
+fn end(shaken: &Shaken, attractors: &[(usize, Vec<[f64; 2]>)], [turns, speed]: [f64; 2]) -> End {
+    let before = -float(shaken.bound(1) * speed);
+    let start = Contact { time: float(turns), wall: Wall::Left, velocity_before: before };
+    let mut motion = Motion::new(shaken, State::after(shaken, &start));
     let mut near: (usize, Option<usize>) = (0, None);
     for _ in 0..IMPACTS {
-        state = match simulator.next(state) {
-            Next::Impact(state) => state,
-            Next::Long => return End::Lost,
-            Next::Rests => match attractors.iter().find(|(_, states)| states.is_empty()) {
-                Some((place, _)) => return End::At(*place),
-                None => [0.0, 0.0],
-            },
-        };
+        let mut releases = Vec::new();
+        let Ok(Some(contact)) = motion.contact(&mut releases) else { return End::Lost };
+        let rests = attractors.iter().find(|(_, states)| states.is_empty());
+        if let (Some((place, _)), false) = (rests, releases.is_empty()) {
+            return End::At(*place);
+        }
+        let state = state(shaken, &contact);
         let at = attractors.iter().find(|(_, states)| states.iter().any(|&own| apart(own, state) < ATTRACTOR_DISTANCE));
         let at = at.map(|(place, _)| *place);
         near = if at.is_some() && at == near.1 { (near.0 + 1, at) } else { (0, at) };
@@ -175,7 +101,7 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
     let settings = GlobalSettings { basins: Some(1 << 14), ..GlobalSettings::default() };
     let found = Global::of(&pair(point), &settings, &Unwatched).unwrap();
     let [ratio, restitution] = point.map(|text| text.parse::<f64>().unwrap());
-    let simulator = Simulator { gap: 1.0 / ratio, restitution };
+    let shaken = reduced(float(ratio), restitution);
     let attractors = attractors(&found);
     let is_whole = found.components.iter().all(|own| !own.kind.is_undecided());
     let (mut counts, mut wrong, mut requested) = (BTreeMap::new(), Vec::new(), 0);
@@ -195,7 +121,7 @@ fn run(point: [&str; 2], starts: usize, random: &mut Random) -> (BTreeMap<End, u
             _ => continue,
         };
         requested += 1;
-        let end = end(&simulator, &attractors, [TAU * phase, speed]);
+        let end = end(&shaken, &attractors, at);
         *counts.entry(end).or_default() += 1;
         let is_so = match (end, claimed) {
             (End::At(place), Some(claimed)) => place == claimed,
@@ -223,63 +149,12 @@ fn judged(points: &[[&str; 2]], starts: usize) {
 
 #[test]
 fn random_starts_end_where_they_are_proved_to() {
-    judged(&[POINTS[0], POINTS[9], POINTS[10]], 40);
+    let all = points();
+    judged(&[all[0], all[9], all[10]], 40);
 }
 
 #[test]
 #[ignore = "deep: 1,000 starts at 20 points; by default random_starts_end_where_they_are_proved_to"]
 fn a_thousand_random_starts_at_twenty_points_end_where_they_are_proved_to() {
-    judged(&POINTS, 1000);
-}
-
-/// The simulator against (66)-(69): the equispaced motion of figure 12, `A = 1`, `d = 3 pi`, `e = 1/2`, `|v| = 4 pi`, `cos th0 = 1`: from its
-/// own state it comes again after half a period, on the other wall.
-#[test]
-fn the_simulator_follows_the_equispaced_motion() {
-    let simulator = Simulator { gap: 3.0 * PI, restitution: 0.5 };
-    let Next::Impact(state) = simulator.next([0.0, 4.0]) else { panic!("an impact") };
-    assert!(apart(state, [0.0, 4.0]) < 1e-12, "{state:?}");
-    // From the release the ball of D < 2 lands where x - sin x = D, with 1 - cos x.
-    let simulator = Simulator { gap: PI, restitution: 0.0 };
-    let Next::Impact(state) = simulator.next([0.0, 0.0]) else { panic!("an impact") };
-    assert!(apart(state, [0.0, 2.0]) < 1e-12, "{state:?}");
-    assert!(matches!(simulator.next([1.5 * PI, 0.0]), Next::Rests));
-}
-
-/// The points of a grid of `A/d` in [0.05, 3], evenly spaced in its logarithm, and `e` in [0.05, 0.95].
-fn grid() -> impl Iterator<Item = [String; 2]> {
-    let of = |i: u32, j: u32| [0.05 * 60_f64.powf(f64::from(i) / 15.0), 0.05 + 0.9 * f64::from(j) / 11.0];
-    (0..192_u32).map(move |k| of((67 * k % 192) / 12, (67 * k % 192) % 12).map(|x| format!("{x:.6}")))
-}
-
-/// `check` of up to twenty points of each class, in a scattered order: none is refuted; of complete answers it says how many are confirmed.
-#[test]
-#[ignore = "deep: some 100 points of the atlas; by default random_starts_end_where_they_are_proved_to"]
-fn twenty_points_of_each_class_are_checked() {
-    let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
-    for [ratio, restitution] in grid() {
-        let scene = format!(
-            "excitation = {{ amplitude = {ratio}, frequency = \"pi\", phase = 0 }}\n\
-             pair = {{ gap = 1, restitution = {restitution} }}\nstart = {{ time = 0, wall = \"left\", velocity = -1 }}"
-        );
-        let (scene, settings) = (Scene::parse(&scene).unwrap(), GlobalSettings::default());
-        let found = Global::of(scene.pair(), &settings, &Unwatched).unwrap();
-        let class = found.class().name();
-        if counts.get(class).is_some_and(|own| own.iter().sum::<usize>() >= 20) {
-            continue;
-        }
-        let text = json!(document::global(&scene, &settings, &found).unwrap()).to_string();
-        let verdict = Claims::parse(&text).unwrap().check_within(&Effort::default(), &Unwatched).unwrap();
-        let place = match &verdict {
-            Verdict::Confirmed { .. } => 0,
-            Verdict::Undecided(_) => 1,
-            _ => 2,
-        };
-        let why =
-            if let Verdict::Undecided(finding) | Verdict::Refuted(finding) = &verdict { &finding.message } else { "" };
-        println!("{ratio} {restitution} {class}: {} {why}", ["confirmed", "undecided", "refuted"][place]);
-        counts.entry(class).or_default()[place] += 1;
-    }
-    println!("confirmed, undecided, refuted: {counts:?}");
-    assert!(counts.values().all(|own| own[2] == 0), "{counts:?}");
+    judged(&points(), 1000);
 }

@@ -6,12 +6,11 @@ use impact_pair::chaos::{Global, GlobalSettings};
 use impact_pair::document;
 use impact_pair::periodic::Precision;
 use impact_pair::watch::Unwatched;
-use impact_pair_truth::Wall;
+use impact_pair_truth::{Wall, float};
 use rug::Float;
 use rug::float::Constant;
 use serde_json::{Value, json};
 
-use super::flight::float;
 use super::members::{Bounds, Member};
 use super::motion::{Compared, Halt, wrong};
 use super::orbits::{self, ClaimedState, apart, speed};

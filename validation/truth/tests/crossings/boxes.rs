@@ -2,11 +2,10 @@
 
 use impact_pair::chaos::{BoxImage, BoxMap, Rectangle, Unmapped};
 use impact_pair::{Error, Scene};
-use impact_pair_truth::{Contact, Wall};
+use impact_pair_truth::{Contact, Wall, float};
 use rug::Float;
 use rug::float::Constant;
 
-use super::flight::float;
 use super::members::Member;
 use super::motion::{Compared, Halt, Motion, shown, wrong};
 use super::questions::Answer;

@@ -82,7 +82,7 @@ fn ends_in(member: &Member, word: &[Wall]) -> Compared<()> {
     let last = &contacts[IMPACTS - 1];
     let is_again = |impacts: &usize| {
         let before = &contacts[IMPACTS - 1 - impacts];
-        let phase = |contact: &Contact| super::flight::float(&contact.time * frequency);
+        let phase = |contact: &Contact| impact_pair_truth::float(&contact.time * frequency);
         before.wall == last.wall && apart(&phase(before), &phase(last)) < SAME_ORBIT_DISTANCE
     };
     let Some(period) = (1..=IMPACTS / 2).find(is_again) else { return Err(Halt::Open("not yet periodic")) };

@@ -7,18 +7,17 @@ use impact_pair::orbit::{Settings, Start};
 use impact_pair::watch::Unwatched;
 use impact_pair::{Scene, document, scene};
 use impact_pair_certificate::{Claims, Effort, Verdict};
-use impact_pair_truth::Wall;
+use impact_pair_truth::{Wall, float};
 use rug::Float;
 use serde_json::Value;
 
-use super::flight::float;
 use super::members::{Bounds, Member};
 use super::motion::{self, Compared, Halt, Motion, wrong};
 use super::questions::Answer;
 use super::scenes::Case;
 use super::traits::Question;
 use super::{attractors, boxes, cells, orbits, shadow, sweeps};
-use crate::common::Random;
+use crate::random::Random;
 
 /// The verdict of one judge on an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -7,13 +7,12 @@ use impact_pair::Scene;
 use impact_pair::exact::{Dyadic, Exact};
 use impact_pair::orbit::Place;
 use impact_pair::pair::Wall as LibraryWall;
-use impact_pair_truth::{Number, Wall};
+use impact_pair_truth::{BITS, Shaken, State, Tone, Wall, float};
 use rug::ops::Pow;
 use rug::{Float, Integer};
 use serde_json::Value;
 
-use super::flight::{BITS, Shaken, State, Tone, float};
-use crate::common::Random;
+use crate::random::Random;
 
 /// A pair and the state just after its start.
 #[derive(Clone, Debug)]
@@ -78,13 +77,10 @@ impl Member {
         let shaken = Shaken { tones: moving, gap: of(pair.gap()), restitution: of(pair.restitution()) };
         let (time, velocity) = (of(start.time()), of(start.velocity()));
         let start = match start.place() {
-            Place::Wall(on) => {
-                let after = -float(&shaken.restitution * &velocity);
-                State::on_wall(&shaken, wall(*on), time, after)
-            }
+            Place::Wall(on) => State::on_wall(&shaken, wall(*on), time, -float(&shaken.restitution * &velocity)),
             Place::Inside(position) => {
-                let (position, velocity_after) = (of(position), velocity.clone());
-                State { time, on: None, position, velocity_after, clear: float(0) }
+                let position = of(position);
+                State::inside(time, position, velocity.clone())
             }
         };
         Self { shaken, start, tones, velocity }
@@ -112,7 +108,7 @@ impl Member {
 
 /// A decimal of a document.
 pub fn decimal(text: &Value) -> Option<Float> {
-    Some(Number::from(text.as_str()?.trim_start_matches('+')).to_float(2 * BITS))
+    Some(Float::with_val(2 * BITS, Float::parse(text.as_str()?).ok()?))
 }
 
 /// Bounds of a document.

@@ -1,12 +1,11 @@
 //! An orbit JSON, judged by the true motion of each member of its data.
 
 use impact_pair::exact::Exact;
-use impact_pair_truth::{Contact, Wall};
+use impact_pair_truth::{Contact, Next, Shaken, State, Wall, float};
 use rug::Float;
 use serde_json::Value;
 use std::cmp::Ordering;
 
-use super::flight::{Next, Shaken, State, float};
 use super::members::{Bounds, Member, decimal, named, value};
 
 /// The reason why a comparison ends: a claim is wrong, or the truth does not decide.

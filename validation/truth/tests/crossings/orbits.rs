@@ -5,12 +5,11 @@ use impact_pair::document;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::{ImpactPair, Scene, orbit};
-use impact_pair_truth::{Contact, Wall};
+use impact_pair_truth::{Contact, State, Tone, Wall, float};
 use rug::Float;
 use rug::float::Constant;
 use serde_json::Value;
 
-use super::flight::{State, Tone, float};
 use super::members::{Bounds, Member, named};
 use super::motion::{Compared, Halt, Motion, wrong};
 

@@ -21,10 +21,10 @@ use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Error, Scene, two_impact};
+use impact_pair_truth::float;
 use serde_json::{Value, json};
 
 use super::boxes::Mapped;
-use super::flight::float;
 use super::members::Member;
 use super::motion::Motion;
 use super::scenes::{Case, NEAR_FOLD};

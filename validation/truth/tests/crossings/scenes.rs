@@ -4,7 +4,7 @@ use impact_pair::Scene;
 use impact_pair::exact::Exact;
 
 use super::traits::{Crossing, Data, Excitation, Question, Restitution, Start};
-use crate::common::Random;
+use crate::random::Random;
 
 /// Amplitude, frequency and gap near the fold of `LR` in one cycle, for `e = 1/2`: `A/d = 1/sqrt(4 + 9 pi^2)` (Lemma W2).
 pub const NEAR_FOLD: [&str; 3] = ["1", "pi", "9.42497"];
@@ -70,10 +70,6 @@ const ATTRACTED_PAIRS: [[&str; 3]; 6] = [
 const STRONGLY_SHAKEN: usize = 7;
 
 impl Random {
-    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len() as u64) as usize]
-    }
-
     /// `10^-k` or a power of two as small.
     pub fn small(&mut self, least: u64, most: u64) -> String {
         let k = least + self.below(most - least + 1);

@@ -3,11 +3,10 @@
 //! It is sought impact by impact: Newton's steps lead the time of each impact to the middle of its bounds, and where all impacts are
 //! within theirs the start must be within its own.
 
-use impact_pair_truth::Contact;
+use impact_pair_truth::{Contact, State, float};
 use rug::Float;
 use serde_json::Value;
 
-use super::flight::{State, float};
 use super::members::{Bounds, Member, named};
 use super::motion::{Compared, Halt, Motion, shown, wrong};
 

@@ -2,14 +2,14 @@
 
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::{Scene, document, sweep};
+use impact_pair_truth::{Tone, float};
 use rug::float::Constant;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-use super::flight::{Tone, float};
 use super::members::{Bounds, Member};
 use super::motion::{self, Compared, Halt, wrong};
-use crate::common::Random;
+use crate::random::Random;
 
 /// The harmonics whose phases the states so far may be.
 type Units = BTreeSet<usize>;

@@ -2,66 +2,38 @@
 
 use std::collections::BTreeSet;
 
-use crate::common::Random;
+use crate::random::Random;
 
-/// A trait with all its values and their names.
+/// A trait with all its values.
 macro_rules! values {
-    ($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $value:ident = $words:literal),+ $(,)? }) => {
+    ($(#[$doc:meta])* $name:ident { $($value:ident),+ $(,)? }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum $name { $($(#[$of])* $value),+ }
+        pub enum $name { $($value),+ }
 
         impl $name {
             pub const ALL: &'static [Self] = &[$(Self::$value),+];
-
-            pub fn words(self) -> &'static str {
-                match self { $(Self::$value => $words),+ }
-            }
         }
     };
 }
 
 values! {
     /// The start of the motion.
-    Start {
-        OnWall = "on a wall",
-        AtRest = "at rest",
-        Release = "at a release",
-        Inside = "inside",
-        Still = "still",
-        Uncertain = "of uncertain direction",
-        AtGraze = "at a graze",
-    }
+    Start { OnWall, AtRest, Release, Inside, Still, Uncertain, AtGraze }
 }
 
 values! {
-    /// The excitation of the box.
-    Excitation {
-        One = "one harmonic",
-        Commensurate = "commensurate",
-        Incommensurate = "incommensurate",
-        MayVanish = "a term may vanish",
-        Unshaken = "A = 0",
-    }
+    /// The excitation of the box; `Unshaken`: `A = 0`.
+    Excitation { One, Commensurate, Incommensurate, MayVanish, Unshaken }
 }
 
 values! {
-    Restitution {
-        Zero = "e = 0",
-        AroundZero = "e around 0",
-        Half = "e = 1/2",
-        AroundHalf = "e around 1/2",
-        One = "e = 1",
-    }
+    Restitution { Zero, AroundZero, Half, AroundHalf, One }
 }
 
 values! {
     /// The data that are intervals, beside those of the traits above.
-    Data {
-        Points = "points",
-        Gap = "an interval of gaps",
-        Velocity = "an interval of velocities",
-    }
+    Data { Points, Gap, Velocity }
 }
 
 /// Arithmetics of `run`, by the words of the command line; the last two are shadows, and shadows after a splice.
@@ -69,20 +41,8 @@ pub const ARITHMETICS: [&str; 8] = ["float", "interval", "auto", "64", "256", "i
 /// Keys that bifurcations are sought over.
 pub const PARAMETERS: [&str; 5] = ["amplitude", "frequency", "gap", "restitution", "amplitude.K"];
 /// Keys of a sweep; `K` is the number of a term.
-pub const KEYS: [&str; 12] = [
-    "amplitude",
-    "frequency",
-    "phase",
-    "gap",
-    "restitution",
-    "start.time",
-    "start.phase",
-    "start.position",
-    "start.velocity",
-    "amplitude.K",
-    "frequency.K",
-    "phase.K",
-];
+pub const KEYS: &str = "amplitude frequency phase gap restitution start.time start.phase start.position start.velocity \
+    amplitude.K frequency.K phase.K";
 
 /// A question about a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -118,31 +78,7 @@ impl Question {
             others.into_iter().chain(chaos).chain([Self::ChaosCells, Self::BoxMap, Self::Audit, Self::Attractors]);
         let runs = ARITHMETICS.into_iter().flat_map(|name| [Self::Impacts(name), Self::Until(name)]);
         let over = PARAMETERS.into_iter().map(Self::Bifurcations);
-        runs.chain(KEYS.into_iter().map(Self::Sweep)).chain(over).chain(others).collect()
-    }
-
-    pub fn words(self) -> String {
-        match self {
-            Self::Impacts(arithmetic) => format!("run {arithmetic}, impacts"),
-            Self::Until(arithmetic) => format!("run {arithmetic}, until"),
-            Self::Sweep(key) => format!("sweep {key}"),
-            Self::Bifurcations(key) => format!("bifurcations {key}"),
-            Self::Describe => "describe".into(),
-            Self::Periodic => "periodic".into(),
-            Self::All => "periodic --all".into(),
-            Self::TwoImpact => "two-impact".into(),
-            Self::Trap => "trap".into(),
-            Self::Chaos => "chaos".into(),
-            Self::ChaosCells => "chaos --over, cells".into(),
-            Self::Cycles => "cycles".into(),
-            Self::Windows => "windows".into(),
-            Self::Global => "global".into(),
-            Self::Attractors => "global, attractors".into(),
-            Self::Atlas => "atlas".into(),
-            Self::Tangency => "tangency".into(),
-            Self::BoxMap => "box_map".into(),
-            Self::Audit => "audit".into(),
-        }
+        runs.chain(KEYS.split(' ').map(Self::Sweep)).chain(over).chain(others).collect()
     }
 }
 
@@ -168,11 +104,6 @@ impl Crossing {
     fn places(&self, questions: &[Question]) -> [usize; 5] {
         let question = questions.iter().position(|question| *question == self.question).expect("one of all");
         [self.start as usize, self.excitation as usize, self.restitution as usize, self.data as usize, question]
-    }
-
-    /// The values of the traits of the scene, in words.
-    pub fn words(&self) -> [&'static str; 4] {
-        [self.start.words(), self.excitation.words(), self.restitution.words(), self.data.words()]
     }
 
     fn pairs(&self, questions: &[Question]) -> Vec<[(usize, usize); 2]> {
