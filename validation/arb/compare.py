@@ -1,16 +1,11 @@
-#!/usr/bin/env python3
 """Judges `impact-pair run SCENE` impact by impact against the balls of this simulator.
 
 Same wall and same mapping; both enclosures of a time and of a velocity hold the same true value, so they overlap; and
-where the ball is a thousand times narrower, the printed bounds hold all of it. Exits with 1 at the first disagreement.
-
-Run: compare.py SCENE --impacts N [--binary PATH | --csv FILE] [--arithmetic auto|interval|BITS] [--digits D]
+where the ball is a thousand times narrower, the printed bounds hold all of it.
 """
-import argparse
 import csv
 import re
 import subprocess
-import sys
 from collections import namedtuple
 from fractions import Fraction
 from itertools import zip_longest
@@ -18,10 +13,8 @@ from itertools import zip_longest
 from flint import arb
 
 from controls import check_controls
-from expression import ExpressionError
-from flight import Undecided
 from orbit import orbit
-from scene import Scene, SceneError
+from scene import Scene
 from simulate import HEADER, ends, exact
 
 NARROW = 1000
@@ -139,32 +132,3 @@ def describe(found):
         f"enclosures hold the whole Arb ball ({found.bits} bits), widest {found.time:.1e} periods, "
         f"{found.velocity:.1e} A W; {found.spoiled} spoiled copies were refused"
     )
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scene")
-    parser.add_argument("--impacts", type=int, required=True)
-    parser.add_argument("--digits", type=int, default=9)
-    parser.add_argument("--arithmetic", default="auto")
-    parser.add_argument("--binary", default="impact-pair", help="the program under test")
-    parser.add_argument("--csv", help="judge this file instead of running the program")
-    asked = parser.parse_args()
-    if asked.impacts < 1:
-        parser.error("--impacts is at least 1")
-    try:
-        if asked.csv:
-            with open(asked.csv, encoding="utf-8") as file:
-                lines = file.read().splitlines()
-        else:
-            lines = run_binary(asked.binary, asked.scene, asked.impacts, asked.digits, asked.arithmetic)
-        print(f"{asked.scene}: {describe(judge(asked.scene, lines, asked.impacts, asked.digits))}")
-    except Disagreement as error:
-        sys.exit(f"{asked.scene}: DISAGREEMENT: {error}")
-    except (Undecided, ExpressionError, SceneError, OSError, ValueError) as error:
-        print(f"error: {asked.scene}: {error}", file=sys.stderr)
-        sys.exit(2)
-
-
-if __name__ == "__main__":
-    main()

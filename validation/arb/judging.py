@@ -100,13 +100,14 @@ def judge_mirror(tables, binary, arguments, check, rows, outcome):
 
 
 def spoil(outcome, verdict):
-    """Number of wrong periods refused; all must be."""
-    refused = 0
-    for key, value in outcome.get("period", {}).items():
+    """Number of wrong periods refused; all must be, and so must silence where the period has to be told."""
+    wrong = {key: outcome | {"period": outcome["period"] | {key: value + 1}} for key, value in outcome.get("period", {}).items()}
+    if wrong and not verdict.releases[0].origin.timeline.scene.has_roots():
+        wrong["cycles and no word"] = {"kind": "impacts-reached"}
+    for key, copy in wrong.items():
         try:
-            judge_period(verdict, outcome | {"period": outcome["period"] | {key: value + 1}})
+            judge_period(verdict, copy)
         except Disagreement:
-            refused += 1
-        else:
-            raise Disagreement(f"negative control: a wrong number of {key} was not refused")
-    return refused
+            continue
+        raise Disagreement(f"negative control: a wrong number of {key} was not refused")
+    return len(wrong)
