@@ -14,48 +14,11 @@ pub fn config() -> Config {
 }
 
 /// Replacements of numbers, words and signs.
-const TOKENS: [&str; 40] = [
-    "0",
-    "-0",
-    "1",
-    "-1",
-    "0.5",
-    "1e-40",
-    "1e-400",
-    "1e400",
-    "1e-4000",
-    "9007199254740993",
-    "99999999999999999999",
-    "1e99999999999",
-    "NaN",
-    "inf",
-    "pi",
-    "-3*pi",
-    "sqrt(2)",
-    "sin(1e22)",
-    "1/3",
-    "1/0",
-    "sqrt(-1)",
-    "[0, 1]",
-    "[1, 0]",
-    "\"1\"",
-    "\"[0, 1e-9]\"",
-    "\"\"",
-    "[]",
-    "{}",
-    "null",
-    "true",
-    "left",
-    "right",
-    "\"left\"",
-    "\u{0}",
-    "\u{e9}",
-    "\u{1F600}",
-    "\n",
-    "\"",
-    "=",
-    ",",
-];
+const WORDS: &str = "0 -0 1 -1 0.5 1e-40 1e-400 1e400 1e-4000 9007199254740993 99999999999999999999 1e99999999999 NaN inf \
+    pi -3*pi sqrt(2) sin(1e22) 1/3 1/0 sqrt(-1) [] {} null true left right = \
+    ,";
+const TOKENS: [&str; 11] =
+    ["[0, 1]", "[1, 0]", "\"1\"", "\"[0, 1e-9]\"", "\"\"", "\"left\"", "\u{0}", "\u{e9}", "\u{1F600}", "\n", "\""];
 
 /// One edit, at a place given as a fraction of the text.
 #[derive(Clone, Debug)]
@@ -82,7 +45,8 @@ pub fn share(seeds: Vec<String>, is_read: impl Fn(&str) -> bool) -> f64 {
 /// One of the seeds with up to a few edits.
 pub fn edited(seeds: Vec<String>) -> impl Strategy<Value = String> {
     let place = || 0.0..1.0;
-    let token = || prop::sample::select(&TOKENS[..]);
+    let tokens: Vec<&str> = WORDS.split(' ').chain(TOKENS).collect();
+    let token = || prop::sample::select(tokens.clone());
     let edit = prop_oneof![
         4 => (place(), token()).prop_map(|(at, token)| Edit::Replace(at, token)),
         1 => (place(), token()).prop_map(|(at, token)| Edit::Insert(at, token)),

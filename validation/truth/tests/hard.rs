@@ -53,6 +53,37 @@ fn hard_first_flights_are_right_and_decided() {
     assert!(flights.len() >= 370);
 }
 
+/// The bounds of the data set for other simulators: figures, one and two harmonics, chatters, grazes and near misses.
+#[test]
+fn the_data_set_holds_the_truth() {
+    let sets = [
+        include_str!("../../../data/flights.jsonl"),
+        include_str!("../../../data/chatters.jsonl"),
+        include_str!("../../../data/orbits.jsonl"),
+    ];
+    for line in sets.into_iter().flat_map(str::lines) {
+        let mut line: Value = serde_json::from_str(line).unwrap();
+        let excitation = line["scene"]["excitation"].take();
+        let tables = ["amplitude", "frequency", "phase"].map(|key| format!("{key} = {}", excitation[key]));
+        let start = line["scene"]["start"].as_object().unwrap();
+        let start: Vec<_> = start.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+        let (gap, restitution) = (&line["scene"]["gap"], &line["scene"]["restitution"]);
+        let text = format!(
+            "excitation = {{ {} }}\npair = {{ gap = {gap}, restitution = {restitution} }}\nstart = {{ {} }}",
+            tables.join(", "),
+            start.join(", ")
+        );
+        let scene = Scene::parse(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+        let events = line["events"].as_array().unwrap();
+        let impacts = events.iter().filter(|event| event["event"] == "impact").count();
+        // Of what a motion tends to no orbit is given.
+        let kind = if line["outcome"] == "time-reached" { "time-reached" } else { "impacts-reached" };
+        let outcome = json!({ "kind": kind, "until": line["until"], "impacts": impacts });
+        let document = json!({ "events": events, "outcome": outcome });
+        judge(&document, &Member::new(&scene, || 0.0)).unwrap_or_else(|halt| panic!("{halt:?}: {}", line["name"]));
+    }
+}
+
 /// The control: the library's answer to one of a pair, judged by the truth of the other, has to be found wrong; a judge that passes it would
 /// pass anything.
 #[test]

@@ -52,10 +52,7 @@ fn member(exact: &Exact, part: f64) -> Float {
 }
 
 fn wall(wall: LibraryWall) -> Wall {
-    match wall {
-        LibraryWall::Left => Wall::Left,
-        LibraryWall::Right => Wall::Right,
-    }
+    if wall == LibraryWall::Left { Wall::Left } else { Wall::Right }
 }
 
 impl Member {

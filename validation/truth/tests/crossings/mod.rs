@@ -7,7 +7,6 @@
 mod attractors;
 mod boxes;
 mod cells;
-mod controls;
 mod judge;
 pub mod members;
 pub mod motion;

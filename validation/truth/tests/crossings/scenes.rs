@@ -41,30 +41,11 @@ struct Parts {
 }
 
 /// A, W and d: the paper's figures, and boxes that hardly move.
-const SIZES: [[&str; 3]; 12] = [
-    ["8", "pi", "9.42497"],
-    ["8", "pi", "9.42497"],
-    ["2", "pi", "9.42497"],
-    ["2", "10*pi", "1"],
-    ["10", "200*pi", "10"],
-    ["1", "2*pi", "1"],
-    ["0.9", "2*pi", "1"],
-    ["0.1", "2*pi", "1"],
-    ["0.05", "2*pi", "1"],
-    ["1/2", "1", "6"],
-    ["1/1000", "2*pi", "1"],
-    ["3", "3/2", "4"],
-];
+const SIZES: &str = "8 pi 9.42497; 8 pi 9.42497; 2 pi 9.42497; 2 10*pi 1; 10 200*pi 10; 1 2*pi 1; \
+    0.9 2*pi 1; 0.1 2*pi 1; 0.05 2*pi 1; 1/2 1 6; 1/1000 2*pi 1; 3 3/2 4";
 
 /// A, W and d of pairs of which orbits are attracted for `e = 1/2`, of 1, 2 and 16 impacts of the reduced map: found in floating point.
-const ATTRACTED_PAIRS: [[&str; 3]; 6] = [
-    ["0.25", "2*pi", "1"],
-    ["3/2", "pi", "6"],
-    ["0.36", "2*pi", "1"],
-    ["0.45", "3", "1"],
-    ["0.9", "2*pi", "1"],
-    ["6/5", "1", "2"],
-];
+const ATTRACTED_PAIRS: &str = "0.25 2*pi 1; 3/2 pi 6; 0.36 2*pi 1; 0.45 3 1; 0.9 2*pi 1; 6/5 1 2";
 
 /// Number of leading kinds of boxes that move by about a gap.
 const STRONGLY_SHAKEN: usize = 7;
@@ -283,11 +264,16 @@ fn restitution(random: &mut Random, kind: Restitution) -> &'static str {
     }
 }
 
+fn triples(table: &'static str) -> Vec<[&'static str; 3]> {
+    table.split("; ").map(|row| row.split(' ').collect::<Vec<_>>().try_into().expect("three numbers")).collect()
+}
+
 fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
+    let sizes = triples(SIZES);
     let size = match crossing.question {
-        Question::Chaos => SIZES[0],
+        Question::Chaos => sizes[0],
         // Of a box that hardly moves flights are too long for images of boxes.
-        Question::BoxMap => random.pick(&SIZES[..STRONGLY_SHAKEN]),
+        Question::BoxMap => random.pick(&sizes[..STRONGLY_SHAKEN]),
         Question::Bifurcations(_) if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
             NEAR_FOLD
         }
@@ -298,10 +284,10 @@ fn parts(random: &mut Random, crossing: &Crossing) -> Option<Parts> {
             NEAR_FOLD
         }
         Question::Attractors if matches!(crossing.restitution, Restitution::Half | Restitution::AroundHalf) => {
-            random.pick(&ATTRACTED_PAIRS)
+            random.pick(&triples(ATTRACTED_PAIRS))
         }
-        Question::Impacts("shadow" | "splice") if random.below(2) == 0 => SIZES[0],
-        _ => random.pick(&SIZES),
+        Question::Impacts("shadow" | "splice") if random.below(2) == 0 => sizes[0],
+        _ => random.pick(&sizes),
     };
     let terms = excitation(random, crossing.excitation, size);
     let (gap, restitution) = (size[2].to_owned(), restitution(random, crossing.restitution).to_owned());
