@@ -10,7 +10,7 @@ from typing import NamedTuple
 from mpmath import mp, mpf
 
 from flight import extrema, fly
-from judge import FLIGHT_DIGITS
+from legs import DIGITS
 from scene import LEFT, RIGHT, Scene
 
 DEPTHS = ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12")
@@ -124,7 +124,7 @@ def mirrored(hard: Hard) -> Hard:
 
 def flights(quick: bool) -> list[Hard]:
     """The whole set, or a part of it; of flights of 300 forcing periods and more only one side."""
-    with mp.workdps(FLIGHT_DIGITS):
+    with mp.workdps(DIGITS):
         # The shallowest and the deepest.
         depths = DEPTHS[::5] if quick else DEPTHS
         short = [*far_wall(depths), *own_wall(depths), *hops(4 if quick else 8), *long_flights(10 if quick else 100)]

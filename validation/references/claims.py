@@ -4,7 +4,7 @@ from enum import StrEnum
 from mpmath import mp, mpf
 
 from flight import extrema, fly
-from judge import FLIGHT_DIGITS, SLACK, Leg
+from legs import DIGITS, SLACK, Leg
 from simulator import Contact, Listing
 
 NEAR = mpf("1e-6")  # periods
@@ -61,9 +61,15 @@ def proves_us_wrong(leg: Leg, claim: Contact) -> bool:
 
     A true contact, claimed a little too early, is outside at the next extremum, or at `low` if there is none before it.
     """
-    with mp.workdps(FLIGHT_DIGITS):
+    with mp.workdps(DIGITS):
         time = mpf(claim.time)
         later = (extremum for extremum in extrema(leg.motion, leg.start, leg.low) if extremum > time)
         points = [point for point in (time, next(later, leg.low)) if point > leg.start.time]
         height = fly(leg.motion, leg.start).height
         return any(abs(height(point)) > leg.motion.gap / 2 + SLACK for point in points)
+
+
+def denied(leg: Leg) -> Leg:
+    """The claim that nothing happens until a hundredth of a period after the contact."""
+    low = leg.high + leg.motion.period / 100
+    return Leg(leg.motion, leg.start, None, low, low)

@@ -7,7 +7,7 @@ from mpmath import mp, mpf
 import draw
 import report
 from claims import NEAR, Verdict
-from judge import DIGITS
+from legs import DIGITS
 from program import certify, costs
 from questions import FIGURES, Flown, Orbit
 from results import Results, decided, single
@@ -83,7 +83,7 @@ def written(program: str, results: Results) -> str:
     tried = results.tallies
     return "\n".join([
         report.TITLE,
-        report.verdict(results.disagreements, results.judged, sum(one.earlier for one in tried),
+        report.verdict(results.disagreements, results.asked, sum(one.earlier for one in tried),
                        sum(len(one.proofs) for one in tried)),
         f"References: {report.versions()}, each with the scene's data rounded to doubles. How they are used, and what "
         "counts as a disagreement, is said in `validation/references/README.md`.\n",
@@ -101,5 +101,5 @@ def written(program: str, results: Results) -> str:
         section("Chatter, rest and release",
                 report.chatter([ending(results.chatter.legs, parts.chatter.listing) for parts in results.answers],
                                results.chatter.certified)),
-        section("Negative controls", report.controls(results.spoiled)),
+        section("Negative controls", report.controls(*results.denied)),
     ])

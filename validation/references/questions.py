@@ -1,9 +1,9 @@
-"""The certified answers, judged, and the questions that the references get: orbits, flights, rest."""
+"""The certified answers, and the questions that the references get: orbits, flights, rest."""
 from dataclasses import dataclass
 from pathlib import Path
 
 from adversarial import Hard, flights
-from judge import DIGITS, FLIGHT_DIGITS, Judged, Leg, judge
+from legs import Leg, legs_of
 from program import Certified, certify
 from runs import Question
 from scene import Scene, doubles, rounded
@@ -16,15 +16,11 @@ CHATTER_IMPACTS = 1000  # a reference that lists this many impacts is stuck
 
 @dataclass(frozen=True)
 class Orbit:
-    """A scene, what is certified of it, and the judge's findings."""
+    """A scene, what is certified of it, and its flights."""
     name: str
     scene: Scene
     certified: Certified
-    judged: Judged
-
-    @property
-    def legs(self) -> list[Leg]:
-        return self.judged.legs
+    legs: list[Leg]
 
     def question(self, until: float, limit: int, timed: bool) -> Question:
         """The whole orbit, from the scene's own data."""
@@ -34,9 +30,8 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Flown:
-    """A hard flight, judged; `leg` is None where the program is undecided."""
+    """A hard flight; `leg` is None where the program is undecided."""
     hard: Hard
-    judged: Judged
     leg: Leg | None
 
 
@@ -44,7 +39,7 @@ def figure(program: str, scenes: Path, number: int, impacts: int) -> Orbit:
     """A figure of the paper."""
     scene = Scene.read(scenes / f"figure-{number}.toml")
     certified = certify(program, scene, impacts, ASKED_DIGITS)
-    return Orbit(f"figure {number}", scene, certified, judge(scene, certified, DIGITS))
+    return Orbit(f"figure {number}", scene, certified, legs_of(scene, certified))
 
 
 def whole(orbit: Orbit) -> Question:
@@ -59,17 +54,16 @@ def restarted(leg: Leg) -> Question:
 
 
 def hard_flights(program: str, quick: bool) -> list[Flown]:
-    """The adversarial set, certified and judged."""
+    """The adversarial set, certified."""
     return [fly_hard(program, hard) for hard in flights(quick)]
 
 
 def fly_hard(program: str, hard: Hard) -> Flown:
-    """A hard flight, certified and judged."""
+    """A hard flight, certified."""
     certified = certify(program, hard.scene, 1, ASKED_DIGITS, hard.until)
     if certified.outcome == "undecided":
-        return Flown(hard, Judged([], []), None)
-    judged = judge(hard.scene, certified, FLIGHT_DIGITS, None if certified.events else hard.until)
-    return Flown(hard, judged, judged.legs[-1])
+        return Flown(hard, None)
+    return Flown(hard, legs_of(hard.scene, certified, None if certified.events else hard.until)[-1])
 
 
 def hard_question(flown: Flown) -> Question:
@@ -81,4 +75,4 @@ def chatter(program: str, scenes: Path) -> Orbit:
     """The scene that chatters, rests and is released."""
     scene = Scene.read(scenes / "chatter.toml")
     certified = certify(program, scene, CHATTER_IMPACTS, ASKED_DIGITS, CHATTER_UNTIL)
-    return Orbit("chatter", scene, certified, judge(scene, certified, DIGITS, CHATTER_UNTIL))
+    return Orbit("chatter", scene, certified, legs_of(scene, certified, CHATTER_UNTIL))

@@ -34,16 +34,15 @@ def counted(disagreements: list[str]) -> str:
 
 
 def refusal(disagreements: list[str]) -> str:
-    """The sentence at the head of a report that ends there: what is refused is no ground to compare on."""
+    """The sentence at the head of a report that ends there: answers that are missing are no ground to compare on."""
     listed = "\n".join(f"- {each}" for each in disagreements)
-    said = f"{counted(disagreements)}: the judge refuses certified answers, so the references were not asked."
-    return f"{said}\n\n{listed}\n"
+    return f"{counted(disagreements)}: certified answers are missing, so the references were not asked.\n\n{listed}\n"
 
 
-def verdict(disagreements: list[str], judged: int, earlier: int, true: int) -> str:
+def verdict(disagreements: list[str], asked: int, earlier: int, true: int) -> str:
     """The sentence at the head of the report, and the disagreements if there are any."""
     listed = "".join(f"\n- {each}" for each in disagreements)
-    return (f"{counted(disagreements)}: {judged:,} certified flights retraced by mpmath; of {earlier:,} contacts that "
+    return (f"{counted(disagreements)}: {asked:,} certified flights were asked for; of {earlier:,} contacts that "
             f"references claim earlier than certified, {true:,} are there.\n{listed}")
 
 
@@ -135,7 +134,6 @@ def within(event: Event) -> str:
     return f"[{event.time[0]}, {event.time[1]}]"
 
 
-def controls(found: dict[str, tuple[int, int]]) -> str:
-    """Refused, of how many."""
-    rows = [[name, of, refused] for name, (refused, of) in found.items()]
-    return table(["spoiled on purpose", "claims", "refused"], rows)
+def controls(refused: int, of: int) -> str:
+    """A sentence: an impact is denied, and tried by a reference's right contact."""
+    return f"Of {of:,} impacts denied on purpose, {refused:,} are proved by the right contact of a reference.\n"

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import NamedTuple
 
-from judge import Leg
+from legs import Leg
 from questions import FIGURES, Flown, Orbit
 from runs import Answer
 from verdicts import Tally
@@ -33,12 +33,12 @@ class Results:
     answers: list[Answers]
     flights: list[Tally]
     hard: list[Tally]
-    spoiled: dict[str, tuple[int, int]]
+    denied: tuple[int, int]
     disagreements: list[str]
 
     @property
-    def judged(self) -> int:
-        """Certified flights that the judge retraced."""
+    def asked(self) -> int:
+        """Certified flights that the references were asked for."""
         return sum(len(orbit.legs) for orbit in (*self.orbits, self.chatter)) + len(decided(self.flown))
 
     @property

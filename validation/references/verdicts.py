@@ -5,7 +5,7 @@ from typing import NamedTuple
 from mpmath import mpf
 
 from claims import NEAR, Verdict, classify, distance, is_earlier, is_it, proves_us_wrong
-from judge import Leg
+from legs import Leg
 from runs import Answer
 from scene import RIGHT
 from simulator import Contact, Listing, Simulator

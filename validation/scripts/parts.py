@@ -107,7 +107,7 @@ PARTS = [
     Part("gallery", "docs/gallery/make --check --quick", "docs/gallery/make --check", ("program",), inputs=(*SOURCES, "docs")),
     Part("stability", *2 * ("docs/stability/make --check",), ("program",), inputs=(*SOURCES, "docs")),
     Part("manual", f"{MANUAL} && validation/scripts/transcripts", f"{MANUAL} && validation/scripts/transcripts --full", ("program", "python")),
-    *map(by_program, ["arb", "closed_forms", "references", "certificates", "cycles"]),
+    *map(by_program, ["arb", "closed_forms", "references", "certificates"]),
     by_program("coq")._replace(after=("program", "library")),
     by_program("coq/verified", "validation/coq")._replace(
         name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "library", "tests")),

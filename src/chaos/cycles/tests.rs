@@ -115,8 +115,8 @@ proptest! {
     }
 }
 
-/// The numbers are from `validation/cycles/search.py` (figure 17 with `--near 0.3`), which finds the cycles in floating point from orbits and
-/// shares no code with this crate.
+/// The numbers are those of a search in Python that shares no code with this crate: steps and bisection follow a long orbit, and Newton's
+/// iteration starts where it nearly comes back (`validation/cycles/search.py` of commit 6b44b0b7, figure 17 with `--near 0.3`).
 #[test]
 fn counts_are_those_of_an_independent_search() {
     for (number, counts) in [(14, vec![1, 1, 4, 1, 11, 22, 15]), (17, vec![1, 1, 10, 21]), (16, vec![0, 0, 0, 4, 10])] {

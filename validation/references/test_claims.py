@@ -1,12 +1,12 @@
-"""The judge and the classes of claims, on an orbit known by a theorem: impacts at 1, 2, 3, ... with v = +-4 pi."""
+"""The classes of claims, on an orbit known by a theorem: impacts at 1, 2, 3, ... with v = +-4 pi."""
 import unittest
 
 from mpmath import mp, mpf
 
 from claims import Verdict, classify, is_earlier, proves_us_wrong
-from judge import DIGITS, departs, earlier, judge
+from legs import legs_of
 from program import Certified, Event
-from scene import LEFT, RIGHT, Scene, Start
+from scene import LEFT, RIGHT
 from simulator import Contact, Listing
 from test_flight import EQUISPACED
 from verdicts import Drift, drift
@@ -23,48 +23,8 @@ def impact(number: int) -> Event:
 EVENTS = [impact(number) for number in range(1, 7)]
 
 
-def refused(*events: Event, until: str | None = None) -> bool:
-    return bool(judge(EQUISPACED, Certified(list(events), ""), DIGITS, until).problems)
-
-
-class Judge(unittest.TestCase):
-    def test_the_true_listing_passes(self) -> None:
-        self.assertEqual(judge(EQUISPACED, Certified(EVENTS, ""), DIGITS, "6.99").problems, [])
-
-    def test_what_is_missing_is_found(self) -> None:
-        self.assertTrue(refused(*EVENTS[:2], *EVENTS[3:]))
-        self.assertTrue(refused(*EVENTS, until="7.01"))
-        self.assertTrue(refused(until="1.5"))
-
-    def test_bounds_that_miss_the_truth_are_found(self) -> None:
-        for ends in (("1.0000000001", "1.1"), ("0.9", "0.9999999999")):
-            self.assertTrue(refused(EVENTS[0]._replace(time=ends)))
-        self.assertTrue(refused(EVENTS[0]._replace(velocity=("12", "12.5"))))
-        self.assertTrue(refused(EVENTS[0]._replace(wall=LEFT)))
-
-    def test_an_unknown_event_is_refused(self) -> None:
-        self.assertTrue(refused(EVENTS[0]._replace(kind="graze")))
-
-    def test_a_late_peak_outside_is_an_earlier_contact(self) -> None:
-        # A touch of the right wall, y = d/2 at y' = 0, is at the peak; a gap smaller by 1e-30 is touched before.
-        with mp.workdps(50):
-            motion = Scene("1", "pi", "pi/2", "2", "0.5", "0", LEFT, "0").motion()
-            start = Start(mpf(0), LEFT, mpf(0))
-            self.assertTrue(earlier(motion, start, mpf("1.5")))
-            wider = Scene("1", "pi", "pi/2", f"2.{29 * '0'}1", "0.5", "0", LEFT, "0").motion()
-            self.assertEqual(earlier(wider, start, mpf("1.5")), [])
-
-    def test_departures(self) -> None:
-        with mp.workdps(50):
-            motion = EQUISPACED.motion()
-            self.assertTrue(departs(motion, Start(mpf("0.5"), LEFT, mpf(0))))
-            self.assertFalse(departs(motion, Start(mpf("0.5"), RIGHT, mpf(0))))
-            self.assertTrue(departs(motion, Start(mpf(1), RIGHT, mpf(0))))
-            self.assertFalse(departs(motion, Start(mpf(1), LEFT, mpf(0))))
-
-
 class Claims(unittest.TestCase):
-    legs = judge(EQUISPACED, Certified(EVENTS, ""), DIGITS).legs
+    legs = legs_of(EQUISPACED, Certified(EVENTS, ""))
 
     def verdict(self, time: float, wall: str) -> Verdict:
         return classify(self.legs[0], Listing([Contact(time, wall, 1.0)], "impacts"))
