@@ -10,8 +10,8 @@ from extreme_scenes import extreme_scenes
 from intervals import interval_scenes, judge_interval_scene
 from judging import judge_scene
 from random_scenes import is_calm, scenes, toml
-from several_check import judge_untold, judge_written
-from several_corners import several_corners, untold_corners, written
+from several_check import judge_untold
+from several_corners import several_corners, untold_corners
 from several_scenes import several_scenes
 from shadow import chaotic_scenes, judge_shadow
 from straddling_scenes import straddling_scenes
@@ -122,26 +122,18 @@ def deep_enough(corners, depths):
 
 
 def several_jobs(amount, seed):
-    """Random scenes with several harmonics, corner cases, and motions written in more than one way."""
+    """Random scenes with several harmonics, and corner cases."""
     yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), amount.several_impacts)
     for corner in deep_enough(several_corners(), amount.depths):
         yield Job(SEVERAL, corner.name, judge_one_corner, (corner,), toml(corner.tables))
     for corner in untold_corners():
         yield Job(SEVERAL, corner.name, judge_one_untold, (corner,), toml(corner.tables))
-    for motion in written():
-        yield Job(SEVERAL, motion.name, judge_one_written, (motion,), toml(motion.tables))
 
 
 def judge_one_untold(corner, binary):
     """The tally, and what was found in words."""
     tally = judge_untold(corner, binary)
     return tally, in_words("undecided" if tally["undecided"] else corner.outcome, tally)
-
-
-def judge_one_written(motion, binary):
-    """The tally, and what was found in words."""
-    tally = judge_written(motion, binary)
-    return tally, in_words(f"the same written in {tally['written']} other ways", tally)
 
 
 def judge_one_interval(scene, binary):

@@ -17,7 +17,7 @@ OUTCOMES = [
 ]
 NOTES = """\
 An interval scene is judged by the orbits of 6 members; its impacts, rests and enclosures are counted once a member.
-Motions written in more than one way are counted once. Enclosures that do not hold all of the ball overlap it and are not much wider than it. Every listing of a random scene
+Enclosures that do not hold all of the ball overlap it and are not much wider than it. Every listing of a random scene
 was also judged in its mirror image. Undecided are listings that impact-pair itself ends early, most of them in doubles
 or by the width of the data; all that they list was judged. Beyond this simulator are scenes with an exact graze, with a
 flight too long to follow part by part, or that never impact (followed for 100 periods): judged up to there, and not

@@ -1,16 +1,13 @@
-"""Corner cases with several harmonics, and scenes that are written in more than one way.
+"""Corner cases with several harmonics.
 
 The pressure of the touch is cos th - b cos 2 th, th = pi t: at b = 1 it touches 0 at t = 0 and ends at t = 2/3. With b
 a little more it ends just before 0 for a moment, a departure of third order into a flight as short as that moment.
 """
-from collections import namedtuple
 from fractions import Fraction
 
 from corners import GOES_ON, GRAZES, PERIODIC, STILL, Corner, Event, at, hit, scene
 from scene import LEFT, RIGHT
 
-# One motion: `tables`, other ways to write it, and tables of another motion, which must be refused.
-Written = namedtuple("Written", "name tables others another")
 # Exact grazes and touches may stay undecided, as no precision tells them.
 UNTOLD_BITS = 2048
 
@@ -108,59 +105,3 @@ def untold_corners():
     yield Corner(name, wall_graze(0), GOES_ON, [first, then], GRAZES, later=later, max_bits=UNTOLD_BITS)
     events = [at("rest", LEFT, "-1/3"), at("release", LEFT, "2/3")]
     yield Corner("the pressure touches 0", touch("0"), GOES_ON, events, max_bits=UNTOLD_BITS)
-
-
-def with_excitation(tables, amplitude, frequency, phase):
-    """The same scene with another excitation."""
-    return tables | {"excitation": {"amplitude": amplitude, "frequency": frequency, "phase": phase}}
-
-
-def written():
-    """All motions that are written in more than one way."""
-    return [*single(), *squares(), incommensurate()]
-
-
-def single():
-    """One harmonic in one to three terms, with a term of amplitude 0, and as two that add up to it."""
-    for name, tables in [
-        ("chatter", scene("5", "pi", "4", "1", "0.5", wall=LEFT, velocity="-0.1")),
-        ("dead impacts", scene("5", "pi", "0.3", "1", "0", wall=LEFT, velocity="-1")),
-        ("figure 14", scene("8", "pi", "0", "9.42497", "0.5", wall=LEFT, velocity="-12.56636")),
-    ]:
-        amplitude, phase = tables["excitation"]["amplitude"], tables["excitation"]["phase"]
-        others = [
-            with_excitation(tables, [amplitude], ["pi"], [phase]),
-            with_excitation(tables, [f"{amplitude}/2"] * 2, ["pi"] * 2, phase),
-            with_excitation(tables, [f"{amplitude}/2", f"{amplitude}/3", f"{amplitude}/6"], ["pi"] * 3, [phase] * 3),
-            with_excitation(tables, [amplitude, "0"], ["pi", "7*sqrt(2)"], phase),
-            with_excitation(tables, ["0", amplitude], ["3*pi", "pi"], ["1", phase]),
-            # Two equal terms apart by +-60 degrees add up to one.
-            with_excitation(tables, [amplitude] * 2, ["pi"] * 2, [f"{phase} + pi/3", f"{phase} - pi/3"]),
-        ]
-        another = with_excitation(tables, [amplitude, "1e-3"], ["pi", "2*pi"], phase)
-        yield Written(f"one harmonic, {name}", tables, others, another)
-
-
-def squares():
-    """Three odd harmonics: the phase for all or for each, multiples as products or sums, another order."""
-    amplitudes, frequencies = ["1", "1/3", "1/5"], ["pi", "3*pi", "5*pi"]
-    for name, restitution, phase in [("0.5", "0.5", "0"), ("0", "0", "1")]:
-        tables = scene(amplitudes, frequencies, phase, "1", restitution, wall=RIGHT, velocity="0.5")
-        others = [
-            with_excitation(tables, amplitudes, frequencies, [phase] * 3),
-            with_excitation(tables, amplitudes, ["pi", "pi + 2*pi", "10*pi/2"], phase),
-            with_excitation(tables, amplitudes[::-1], frequencies[::-1], [f"{phase} + 2*pi", phase, phase]),
-        ]
-        another = with_excitation(tables, amplitudes, frequencies, [phase, phase, f"{phase} + 1e-3"])
-        yield Written(f"square wave, e = {name}", tables, others, another)
-
-
-def incommensurate():
-    """Two roots, and one of them in two terms."""
-    tables = scene(["2", "1"], ["sqrt(2)", "sqrt(5)"], "pi", "3", "0.3", wall=LEFT, velocity="-1")
-    others = [
-        with_excitation(tables, ["2", "1"], ["2/sqrt(2)", "5/sqrt(5)"], ["pi", "-pi"]),
-        with_excitation(tables, ["1", "1", "1"], ["sqrt(2)", "sqrt(5)", "sqrt(2)"], ["pi", "3*pi", "pi"]),
-    ]
-    another = with_excitation(tables, ["2", "1"], ["1.41421", "sqrt(5)"], "pi")
-    return Written("incommensurate", tables, others, another)

@@ -26,7 +26,7 @@ CUT_SHORT = {"resting scenes": 0.2, "extreme scenes": 0.1, SEVERAL: 0.1, STRADDL
 # Greatest share of the scenes that `auto` runs, in 1,024 bits, that may be undecided.
 STRADDLING_AUTO = 0.3
 # Least share of the scenes with several harmonics that come to rest.
-SEVERAL_RESTING = 0.4
+SEVERAL_RESTING = 0.3
 
 
 def judge_job(task):

@@ -19,7 +19,7 @@ from flint import acb, arb, arb_mat, ctx
 
 from compare import Disagreement
 from flight import Flight, Undecided
-from scene import LEFT, RIGHT, Motion, Scene
+from scene import LEFT, RIGHT, Motion
 
 # Flights near the saddle before the word and after it, bits, and the radii of the box of unknowns, relatively.
 BEFORE, AFTER, BITS, BOX = 180, 34, 1400, (arb(10) ** -60, arb(10) ** -29, arb(10) ** -76)
