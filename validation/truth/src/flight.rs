@@ -12,7 +12,7 @@ use rug::float::Constant;
 
 /// Bits of all data and states.
 pub const BITS: u32 = 640;
-/// A height that is taken for none: `2^-this` of the gap.
+/// A height that is taken for none: `2^-this` of the gap, or of what the box moves by.
 const TOUCH_BITS: u32 = 480;
 /// A speed that is taken for none, before a height that is: `2^-this` of the box's.
 const ZERO_SPEED_BITS: u32 = 220;
@@ -321,7 +321,9 @@ impl<'a> Course<'a> {
                 }
             }
         }
-        let (scale, speed) = (float(&self.shaken.gap >> TOUCH_BITS), self.shaken.bound(1) >> ZERO_SPEED_BITS);
+        let swing = self.shaken.bound(0);
+        let scale = if swing.is_zero() { self.shaken.gap.clone() } else { swing.min(&self.shaken.gap) } >> TOUCH_BITS;
+        let speed = self.shaken.bound(1) >> ZERO_SPEED_BITS;
         let is_still = is_none(&self.drift, &self.shaken.bound(1));
         let is_inside = float(self.base.abs_ref()) + self.shaken.bound(0) < self.half;
         if is_still && is_inside {

@@ -26,6 +26,9 @@ const ARITHMETICS: [Arithmetic; 6] = [
     Arithmetic::Auto,
 ];
 
+/// Units of scenes that are left to others.
+const EXTREME_UNITS: [&str; 4] = ["1e-280", "1e290", "1e-290", "1e280"];
+
 /// Findings on the listings of a family: right, open, refused, wrong.
 #[derive(Default)]
 struct Findings {
@@ -71,6 +74,10 @@ fn impacts_near_branch_boundaries_are_right() {
     let (mut random, mut findings) = (Random::seeded(1101), Findings::default());
     for number in 0..cases(2_000) {
         let case = case(&mut Dice(random.bits()), number as u64);
+        // What the truth is allowed to be off is of units about one: in others `check` and Arb judge.
+        if EXTREME_UNITS.iter().any(|unit| case.text.contains(unit)) {
+            continue;
+        }
         findings.add(case.family, &case.scene, &case.text, number / FAMILIES.len(), case.impacts, &mut random);
     }
     findings.judged();

@@ -112,10 +112,12 @@ impl<'a> Motion<'a> {
                 self.rebound(&contact);
                 Ok(())
             }
-            // Both continuations agree: only what comes after it counts.
-            Next::Touch(at, _, clear) if time.place(&at).is_le() => {
+            // Both continuations agree: only what comes after it counts. The touch may be the impact itself, too slow for these bits.
+            Next::Touch(at, on, clear) if time.place(&at).is_le() => {
                 self.pass(clear);
-                self.impact(wall, time, velocity, what)
+                let may_be_it = on == wall && time.holds(&at);
+                let later = self.impact(wall, time, velocity, what);
+                if may_be_it { later.map_err(|_| Halt::Open("an impact or a touch")) } else { later }
             }
             other => wrong(format!("{what}, but the truth is {}", described(&other))),
         }
