@@ -1,221 +1,8 @@
-//! The dependencies of DESIGN.md between modules of the library and between crates. They are acyclic.
+//! The dependencies of DESIGN.md: modules and crates import only what the page allows, and files beside one another not in circles.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// The modules of `src`, each with those it may import, which stand before it.
-const MODULES: [(&str, &[&str]); 30] = [
-    ("number", &[]),
-    ("threads", &[]),
-    ("units", &[]),
-    ("scales", &["units"]),
-    ("turns", &[]),
-    ("pair", &["number", "units"]),
-    ("clock", &["number", "units", "turns", "pair"]),
-    ("excitation", &["number"]),
-    ("mapping", &["number", "pair"]),
-    ("impact", &["number", "pair", "mapping"]),
-    ("switch_plane", &["number", "pair"]),
-    ("flight", &["number", "pair"]),
-    ("rest", &["number", "pair"]),
-    ("contact", &["number", "turns", "pair", "mapping", "flight"]),
-    ("several", &["number", "units", "turns", "pair", "excitation", "flight", "rest", "contact"]),
-    (
-        "shaken",
-        &[
-            "number",
-            "units",
-            "turns",
-            "pair",
-            "clock",
-            "excitation",
-            "mapping",
-            "impact",
-            "flight",
-            "rest",
-            "contact",
-            "several",
-        ],
-    ),
-    ("covering", &["number", "turns", "pair", "clock", "mapping", "impact", "flight", "contact", "shaken"]),
-    (
-        "periodic",
-        &[
-            "number",
-            "threads",
-            "pair",
-            "clock",
-            "excitation",
-            "mapping",
-            "impact",
-            "flight",
-            "contact",
-            "several",
-            "shaken",
-        ],
-    ),
-    ("two_impact", &["units", "pair", "periodic"]),
-    (
-        "orbit",
-        &[
-            "number",
-            "units",
-            "turns",
-            "pair",
-            "clock",
-            "mapping",
-            "impact",
-            "covering",
-            "switch_plane",
-            "flight",
-            "rest",
-            "contact",
-            "several",
-            "shaken",
-            "periodic",
-        ],
-    ),
-    ("impact_map", &["number", "turns", "pair", "clock", "mapping", "contact", "shaken", "orbit"]),
-    ("lyapunov", &["number", "periodic", "orbit"]),
-    ("chaos", &["number", "threads", "units", "pair", "flight", "mapping", "contact", "periodic", "orbit"]),
-    ("tangency", &["number", "units", "pair", "periodic", "chaos"]),
-    (
-        "document",
-        &["units", "turns", "pair", "mapping", "contact", "periodic", "two_impact", "orbit", "chaos", "tangency"],
-    ),
-    ("sweep", &["number", "units", "turns", "pair", "mapping", "periodic", "orbit", "lyapunov", "document"]),
-    ("atlas", &["chaos", "document", "sweep"]),
-    ("describe", &["several", "mapping", "orbit", "lyapunov", "chaos", "document", "sweep"]),
-    ("audit", &["pair", "scales", "contact", "orbit", "document"]),
-    ("trade", &["pair", "scales", "orbit", "document"]),
-];
-
-/// Our crates, each with those of ours that it may depend on.
-const CRATES: [(&str, &[&str]); 5] = [
-    ("crates/exact", &[]),
-    ("crates/model", &["impact-pair-exact"]),
-    ("crates/document", &["impact-pair-exact", "impact-pair-model"]),
-    ("crates/certificate", &["impact-pair-document", "impact-pair-exact", "impact-pair-model"]),
-    (".", &["impact-pair-document", "impact-pair-exact", "impact-pair-model"]),
-];
-
-fn root() -> &'static Path {
-    Path::new(impact_pair_tests::ROOT)
-}
-
-/// The sources of a module, without its tests.
-fn sources(path: &Path) -> Vec<PathBuf> {
-    if path.is_file() {
-        return vec![path.to_owned()];
-    }
-    let entries = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
-    let is_test = |path: &PathBuf| path.file_stem().is_some_and(|name| name == "tests");
-    entries.filter(|path| !is_test(path)).flat_map(|path| sources(&path)).collect()
-}
-
-/// The modules that a text imports by `crate::`, in comments and in its tests left aside.
-fn imports(text: &str) -> BTreeSet<String> {
-    let text = text.split("#[cfg(test)]\nmod").next().unwrap();
-    let code: String = text.lines().map(|line| line.split("//").next().unwrap()).collect::<Vec<_>>().join("\n");
-    let name = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-    let mut found = BTreeSet::new();
-    for (at, what) in code.match_indices("crate::") {
-        let rest = &code[at + what.len()..];
-        match rest.strip_prefix('{') {
-            None => found.extend([name(rest)]),
-            // `use crate::{a::{b, c}, d};`: all words, for types are none of the modules.
-            Some(list) => {
-                let list = list.split(';').next().unwrap();
-                found.extend(list.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned));
-            }
-        }
-    }
-    found
-}
-
-#[test]
-fn modules_import_earlier_modules_only() {
-    let known: Vec<&str> = MODULES.iter().map(|(module, _)| *module).collect();
-    let found: BTreeSet<String> = fs::read_dir(root().join("src"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
-        .filter(|module| module != "lib")
-        .collect();
-    assert_eq!(found, known.iter().map(|module| (*module).to_owned()).collect());
-    for (place, (module, allowed)) in MODULES.iter().enumerate() {
-        assert!(allowed.iter().all(|other| known[..place].contains(other)), "{module} stands before what it imports");
-        let path = [root().join("src").join(module), root().join("src").join(format!("{module}.rs"))];
-        for file in path.iter().filter(|path| path.exists()).flat_map(|path| sources(path)) {
-            for import in imports(&fs::read_to_string(&file).unwrap()) {
-                let is_allowed =
-                    import == *module || !known.contains(&import.as_str()) || allowed.contains(&import.as_str());
-                assert!(is_allowed, "{} imports {import}", file.display());
-            }
-        }
-    }
-}
-
-/// The texts between backticks in this part of DESIGN.md.
-fn quoted(part: &str) -> Vec<&str> {
-    part.split('`').skip(1).step_by(2).collect()
-}
-
-#[test]
-fn design_lists_the_modules_in_this_order_and_all_crates() {
-    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
-    let names = |heading: &str| -> Vec<&str> {
-        let part = design.split("\n## ").find(|part| part.starts_with(heading)).unwrap();
-        part.lines()
-            .filter(|line| line.starts_with("| `"))
-            .flat_map(|line| quoted(line.split(" |").next().unwrap()))
-            .collect()
-    };
-    let modules = names("Modules");
-    let place = |name: &str| {
-        modules.iter().position(|module| *module == name).unwrap_or_else(|| panic!("{name} is not listed"))
-    };
-    assert_eq!(modules.len(), MODULES.len(), "{modules:?}");
-    for (module, allowed) in MODULES {
-        assert!(allowed.iter().all(|other| place(other) < place(module)), "{module} is listed above what it imports");
-    }
-    let crates = names("Crates");
-    assert!(CRATES.iter().all(|(path, _)| crates.contains(path)), "{crates:?}");
-}
-
-#[test]
-fn design_names_files_that_are_there() {
-    let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
-    let is_there = |path: &str| {
-        let tops = if MODULES.iter().any(|(module, _)| path.starts_with(&format!("{module}/"))) {
-            root().join("src")
-        } else {
-            root().to_owned()
-        };
-        tops.join(path).exists() || tops.join(format!("{path}.rs")).exists()
-    };
-    // `several/{precise,graze}`: two of them.
-    let each = |path: &str| -> Vec<String> {
-        match path.split_once('{').and_then(|(folder, rest)| Some((folder, rest.strip_suffix('}')?))) {
-            Some((folder, names)) => names.split(',').map(|name| format!("{folder}{name}")).collect(),
-            None => vec![path.to_owned()],
-        }
-    };
-    let paths = quoted(&design).into_iter().filter(|text| text.contains('/') && !text.contains([' ', '=']));
-    let missing: Vec<String> = paths.flat_map(each).filter(|path| !is_there(path)).collect();
-    assert!(missing.is_empty(), "{missing:?}");
-}
-
-#[test]
-fn crates_depend_on_what_stands_before_them() {
-    for (path, allowed) in CRATES {
-        let manifest = fs::read_to_string(root().join(path).join("Cargo.toml")).unwrap();
-        let section = manifest.split("\n[dependencies]\n").nth(1).unwrap().split("\n[").next().unwrap();
-        let ours = section.lines().map(|line| line.split(['.', ' ']).next().unwrap());
-        let ours: Vec<&str> = ours.filter(|name| name.starts_with("impact-pair")).collect();
-        assert!(ours.iter().all(|name| allowed.contains(name)), "{path} depends on {ours:?}");
-    }
-}
 
 /// Files that import one another in a circle, to be parted: no others do.
 const IMPORT_CYCLES: [&[&str]; 2] = [
@@ -223,13 +10,93 @@ const IMPORT_CYCLES: [&[&str]; 2] = [
     &["release", "rest", "standing", "still", "walk"],
 ];
 
-/// The modules beside it that a file imports by `super::`.
-fn beside(text: &str, modules: &BTreeSet<String>) -> BTreeSet<String> {
+fn root(path: &str) -> PathBuf {
+    Path::new(impact_pair_tests::ROOT).join(path)
+}
+
+fn read(path: impl AsRef<Path>) -> String {
+    fs::read_to_string(path).unwrap()
+}
+
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.filter(|path| name(path) != "tests").collect()
+}
+
+/// The module of a file or a folder.
+fn name(path: &Path) -> String {
+    path.file_stem().unwrap().to_string_lossy().into_owned()
+}
+
+/// The modules that a text imports by `crate::` or `super::`, those in comments and in its tests left aside.
+fn imports(text: &str, from: &str) -> BTreeSet<String> {
     let text = text.split("#[cfg(test)]\nmod").next().unwrap();
-    let code: String = text.lines().map(|line| line.split("//").next().unwrap()).collect::<Vec<_>>().join("\n");
-    let names =
-        code.split("super::").skip(1).filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next());
-    names.filter(|name| modules.contains(*name)).map(str::to_owned).collect()
+    let code: String = text.lines().map(|line| line.split("//").next().unwrap().to_owned() + "\n").collect();
+    let words = |text: &str| -> Vec<String> {
+        text.split(|c: char| !c.is_alphanumeric() && c != '_').map(str::to_owned).collect()
+    };
+    // `use crate::{a::{b, c}, d};`: all words, for types are none of the modules.
+    let found = code.split(from).skip(1).map(|rest| match rest.strip_prefix('{') {
+        Some(list) => words(list.split(';').next().unwrap()),
+        None => words(rest).into_iter().take(1).collect(),
+    });
+    found.flatten().collect()
+}
+
+/// The texts between backticks in a part of DESIGN.md.
+fn quoted(part: &str) -> impl Iterator<Item = &str> {
+    part.split('`').skip(1).step_by(2)
+}
+
+/// The rows of the table below a heading of DESIGN.md that name a module or a crate, cell by cell.
+fn rows<'d>(design: &'d str, heading: &str) -> Vec<Vec<&'d str>> {
+    let part = design.split("\n## ").find(|part| part.starts_with(heading)).unwrap();
+    part.lines().filter(|line| line.starts_with("| `")).map(|line| line.split('|').skip(1).collect()).collect()
+}
+
+#[test]
+fn modules_import_modules_above_them() {
+    let design = read(root("DESIGN.md"));
+    let listed: Vec<&str> = rows(&design, "Modules").iter().flat_map(|row| quoted(row[0])).collect();
+    let paths: Vec<PathBuf> = entries(&root("src")).into_iter().filter(|path| name(path) != "lib").collect();
+    let known: BTreeSet<String> = paths.iter().map(|path| name(path)).collect();
+    assert!(listed.len() == known.len() && listed.iter().all(|module| known.contains(*module)), "{listed:?} {known:?}");
+    for path in paths {
+        let place = listed.iter().position(|module| *module == name(&path)).unwrap();
+        for file in impact_pair_tests::sources(path, false) {
+            let below =
+                imports(&read(&file), "crate::").into_iter().find(|import| listed[place + 1..].contains(&&**import));
+            assert_eq!(below, None, "{} imports a module below it", file.display());
+        }
+    }
+}
+
+/// The checker shares no code with what it checks: neither it nor what it uses depends on the library.
+#[test]
+fn crates_depend_on_what_design_allows() {
+    let design = read(root("DESIGN.md"));
+    for row in rows(&design, "Crates").into_iter().filter(|row| row[0].contains("crates/") || row[0].contains("`.`")) {
+        let manifest = read(root(quoted(row[0]).next().unwrap()).join("Cargo.toml"));
+        let section = manifest.split("\n[dependencies]\n").nth(1).unwrap().split("\n[").next().unwrap();
+        let used = section.lines().map(|line| line.split(['.', ' ']).next().unwrap());
+        for own in used.filter_map(|name| name.strip_prefix("impact-pair")) {
+            let own = if own.is_empty() { "`impact-pair`" } else { &own[1..] };
+            assert!(row[2].split(',').any(|allowed| allowed.trim() == own), "{} depends on {own}", row[0]);
+        }
+    }
+}
+
+#[test]
+fn design_names_files_that_are_there() {
+    let design = read(root("DESIGN.md"));
+    // Of `several/{precise,graze}` the folder.
+    let paths = quoted(&design).filter(|text| text.contains('/') && !text.contains([' ', '=']));
+    let is_there = |path: &&str| {
+        let path = path.split('{').next().unwrap();
+        ["", "src/"].iter().any(|top| [path, &format!("{path}.rs")].iter().any(|path| root(top).join(path).exists()))
+    };
+    let missing: Vec<&str> = paths.filter(|path| !is_there(path)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
 
 /// The modules that lead back to themselves.
@@ -237,7 +104,7 @@ fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> 
     let reached = |from: &String| {
         let (mut all, mut open) = (BTreeSet::new(), vec![from]);
         while let Some(next) = open.pop() {
-            open.extend(imports[next].iter().filter(|name| all.insert((*name).clone())));
+            open.extend(imports[next].iter().filter(|name| imports.contains_key(*name) && all.insert((*name).clone())));
         }
         all
     };
@@ -246,26 +113,17 @@ fn in_circles(imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> 
 
 #[test]
 fn imports_within_a_module_are_acyclic() {
-    let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(|path| root().join(path)).to_vec();
+    let mut folders: Vec<PathBuf> = ["src", "crates", "cli/src", "python/src"].map(root).to_vec();
     let mut left = IMPORT_CYCLES.to_vec();
     while let Some(folder) = folders.pop() {
-        let entries: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-        folders.extend(entries.iter().filter(|path| path.is_dir()).cloned());
-        let name = |path: &PathBuf| path.file_stem().unwrap().to_string_lossy().into_owned();
-        let modules: BTreeSet<String> =
-            entries.iter().map(name).filter(|name| name != "mod" && name != "tests").collect();
-        let mut imports: BTreeMap<String, BTreeSet<String>> =
-            modules.iter().map(|name| (name.clone(), BTreeSet::new())).collect();
-        for path in entries.iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs")) {
-            if let Some(imports) = imports.get_mut(&name(path)) {
-                let text = fs::read_to_string(path).unwrap();
-                imports.extend(beside(&text, &modules));
-                if folder.ends_with("src") {
-                    imports.extend(self::imports(&text).into_iter().filter(|name| modules.contains(name)));
-                }
-            }
+        let mut imported: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for path in entries(&folder).into_iter().filter(|path| name(path) != "mod") {
+            let text = if path.extension().is_some_and(|ending| ending == "rs") { read(&path) } else { String::new() };
+            let from: &[&str] = if folder.ends_with("src") { &["super::", "crate::"] } else { &["super::"] };
+            imported.entry(name(&path)).or_default().extend(from.iter().flat_map(|from| imports(&text, from)));
+            folders.extend(Some(path).filter(|path| path.is_dir()));
         }
-        let found = in_circles(&imports);
+        let found = in_circles(&imported);
         let known = left.len();
         left.retain(|circle| !circle.iter().eq(&found));
         assert!(found.is_empty() || left.len() < known, "{}: {found:?} import one another", folder.display());
@@ -276,11 +134,9 @@ fn imports_within_a_module_are_acyclic() {
 /// The test of the test.
 #[test]
 fn an_import_is_found() {
-    let found = imports(
-        "use crate::a::B;\n// crate::c\nuse crate::{d::{E, f}, G};\nlet x = crate::h();\n#[cfg(test)]\nmod t { use crate::i; }",
+    let text = "use crate::a::B;\n// crate::c\nuse crate::{d::{E, f}, G};\nlet x = crate::h();\n#[cfg(test)]\nmod t { use crate::i; }";
+    let found = imports(text, "crate::");
+    assert!(
+        ["a", "d", "f", "h"].iter().all(|name| found.contains(*name)) && !found.contains("c") && !found.contains("i")
     );
-    for name in ["a", "d", "f", "h"] {
-        assert!(found.contains(name), "{name}");
-    }
-    assert!(!found.contains("c") && !found.contains("i"));
 }

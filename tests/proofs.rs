@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::labels::{is_lemma, pages, sources, word};
+use super::labels::{is_lemma, pages, word};
+use impact_pair_tests::sources;
 
 /// The anchors of lemmas, each with its page, and what is wrong with them.
 fn anchors(pages: &[(String, String)]) -> (BTreeMap<String, String>, Vec<String>) {
@@ -86,7 +87,7 @@ fn every_lemma_has_one_anchor_and_every_link_leads_to_it() {
     for (page, text) in &pages {
         faults.extend(unlinked(text).iter().map(|label| format!("{page}: {label} without a link")));
     }
-    let rooms = ["src", "crates", "cli", "tests"].iter().flat_map(|room| sources(&root.join(room)));
+    let rooms = ["src", "crates", "cli", "tests"].iter().flat_map(|room| sources(room, false));
     let readers = rooms.filter(|path| !path.ends_with("tests/proofs.rs")).chain(markdown(&root.join("docs")));
     let mut count = 0;
     for path in readers.filter(|path| !path.ends_with("docs/proofs/README.md")) {
