@@ -8,7 +8,7 @@ use impact_pair::exact::{Dyadic, Enclosure, Exact};
 use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, Point, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::scene::{Key, Range, Term};
-use impact_pair::watch::{Stage, Unwatched, proceed_if};
+use impact_pair::watch::{Stage, Unwatched, Watch, proceed_if};
 use impact_pair::{Error, Harmonic, ImpactPair, Scene};
 
 const SCENE: &str = r#"
@@ -17,11 +17,22 @@ const SCENE: &str = r#"
     start = { time = 0, wall = "left", velocity = -1 }
 "#;
 
-fn diagram(over: &str, doublings: u32) -> Diagram {
-    let scene = Scene::parse(SCENE).unwrap();
+/// What is found of a word in some cycles.
+fn surveyed(
+    scene: &str,
+    (word, cycles): (&str, u32),
+    over: &str,
+    doublings: u32,
+    watch: &dyn Watch,
+) -> Result<Diagram, Error> {
+    let scene = Scene::parse(scene).unwrap();
     let precision = Precision { digits: 20, ..Precision::default() };
-    let diagram_settings = DiagramSettings { over: over.parse().unwrap(), doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
+    let diagram_settings = DiagramSettings { over: over.parse()?, doublings, precision };
+    survey(scene.pair(), scene.start(), (&word.parse().unwrap(), cycles), &diagram_settings, watch)
+}
+
+fn diagram(over: &str, doublings: u32) -> Diagram {
+    surveyed(SCENE, ("RL", 1), over, doublings, &Unwatched).unwrap()
 }
 
 fn kinds(diagram: &Diagram) -> Vec<(Kind, u32)> {
@@ -87,11 +98,7 @@ fn the_unstable_symmetric_orbit_ends_in_a_graze_at_half_the_gap() {
 /// has no derivative.
 #[test]
 fn r49_a_graze_of_an_orbit_of_three_impacts_is_not_symmetric() {
-    let scene = Scene::parse(&SCENE.replace("0.8", "0.5")).unwrap();
-    let diagram_settings =
-        DiagramSettings { over: "amplitude=0.5..0.6".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram =
-        survey(scene.pair(), scene.start(), (&"LLR".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap();
+    let diagram = surveyed(&SCENE.replace("0.8", "0.5"), ("LLR", 1), "amplitude=0.5..0.6", 1, &Unwatched).unwrap();
     let grazes: Vec<&Point> = diagram.points.iter().filter(|point| point.kind == Kind::Graze).collect();
     assert!(!grazes.is_empty() && grazes.iter().all(|point| point.symmetric == Some(false)), "{grazes:?}");
 }
@@ -116,10 +123,7 @@ fn r62_without_restitution_branches_end_where_the_ball_begins_to_rest() {
 /// The branches of RL in one period for an amplitude, a gap and a restitution.
 fn of_hard_walls([amplitude, gap, restitution]: [&str; 3], over: &str) -> Diagram {
     let scene = SCENE.replace("0.8", restitution).replace("gap = 1", &format!("gap = {gap}"));
-    let scene = Scene::parse(&scene.replace("0.36", amplitude)).unwrap();
-    let diagram_settings =
-        DiagramSettings { over: over.parse().unwrap(), doublings: 1, precision: Precision::default() };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap()
+    surveyed(&scene.replace("0.36", amplitude), ("RL", 1), over, 1, &Unwatched).unwrap()
 }
 
 /// The graze lies within a step of the end of the range: beyond `e = 0` nothing is a motion, but an orbit may seem to be one.
@@ -162,11 +166,7 @@ fn a_flight_that_all_but_starts_at_rest_does_not_graze_its_start() {
 /// The three rounds of an orbit have its bifurcations, and what branches off has two periods, not six.
 #[test]
 fn r62_a_doubling_is_that_of_the_orbit_that_the_word_runs_through() {
-    let scene = Scene::parse(SCENE).unwrap();
-    let over = "amplitude=0.46..0.465".parse().unwrap();
-    let diagram_settings = DiagramSettings { over, doublings: 0, precision: Precision::default() };
-    let word = "RLRLRL".parse().unwrap();
-    let diagram = survey(scene.pair(), scene.start(), (&word, 3), &diagram_settings, &Unwatched).unwrap();
+    let diagram = surveyed(SCENE, ("RLRLRL", 3), "amplitude=0.46..0.465", 0, &Unwatched).unwrap();
     let [doubling] = &diagram.points[..] else { panic!("{:?}", diagram.points) };
     assert_eq!((doubling.kind, doubling.impacts.len(), doubling.cycles), (Kind::PeriodDoubling, 2, 1));
     assert!(diagram.is_certified() && diagram.branches.iter().any(|branch| branch.cycles == 3));
@@ -174,11 +174,7 @@ fn r62_a_doubling_is_that_of_the_orbit_that_the_word_runs_through() {
 
 #[test]
 fn over_the_gap_the_same_points_come_in_the_other_order() {
-    let scene = Scene::parse(SCENE).unwrap();
-    let diagram_settings =
-        DiagramSettings { over: "gap=0.77..1.1".parse().unwrap(), doublings: 1, precision: Precision::default() };
-    let diagram =
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &Unwatched).unwrap();
+    let diagram = diagram("gap=0.77..1.1", 1);
     assert_eq!(kinds(&diagram), [(Kind::PeriodDoubling, 1), (Kind::Pitchfork, 0)]);
     let (gap, _) = diagram.in_units(&diagram.points[1]).unwrap();
     // 0.36/0.3458892783
@@ -189,10 +185,8 @@ fn over_the_gap_the_same_points_come_in_the_other_order() {
 fn under(terms: [&str; 3], cycles: u32, over: &str, doublings: u32) -> Result<Diagram, Error> {
     let [amplitude, frequency, phase] = terms;
     let lists = format!("amplitude = [{amplitude}], frequency = [{frequency}], phase = [{phase}]");
-    let scene = Scene::parse(&SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists)).unwrap();
-    let precision = Precision { digits: 20, ..Precision::default() };
-    let diagram_settings = DiagramSettings { over: over.parse()?, doublings, precision };
-    survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), cycles), &diagram_settings, &Unwatched)
+    let scene = SCENE.replace("amplitude = 0.36, frequency = \"pi\", phase = 0", &lists);
+    surveyed(&scene, ("RL", cycles), over, doublings, &Unwatched)
 }
 
 /// Bounds of one number.
@@ -331,10 +325,7 @@ fn keys_without_branches_under_several_harmonics_are_refused_in_one_line() {
 fn ranges_that_no_branch_is_followed_over_are_refused() {
     let scene = Scene::parse(SCENE).unwrap();
     for over in ["start.velocity=-4..-1", "start.phase=0..1", "phase=0..1", "gap=1..2:3"] {
-        let diagram_settings =
-            DiagramSettings { over: over.parse().unwrap(), doublings: 0, precision: Precision::default() };
-        let word = (&"RL".parse().unwrap(), 1);
-        let error = survey(scene.pair(), scene.start(), word, &diagram_settings, &Unwatched).unwrap_err().to_string();
+        let error = surveyed(SCENE, ("RL", 1), over, 0, &Unwatched).unwrap_err().to_string();
         assert!(error.starts_with(&format!("the range is \"{over}\", but accepted is KEY=LO..HI")), "{error}");
     }
     let end = |text: &str| Exact::parse(text).unwrap();
@@ -348,14 +339,11 @@ fn ranges_that_no_branch_is_followed_over_are_refused() {
 /// A survey that is ended early keeps points that the whole one proves, and is not called complete.
 #[test]
 fn a_survey_that_is_ended_keeps_what_is_proved() {
-    let scene = Scene::parse(SCENE).unwrap();
-    let diagram_settings =
-        DiagramSettings { over: "amplitude=0.3..0.48".parse().unwrap(), doublings: 2, precision: Precision::default() };
     let requested = AtomicU32::new(0);
     let up_to = |most: u32| {
         requested.store(0, Ordering::Relaxed);
         let watch = |_: Stage<'_>| proceed_if(requested.fetch_add(1, Ordering::Relaxed) < most);
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &watch).unwrap()
+        surveyed(SCENE, ("RL", 1), "amplitude=0.3..0.48", 2, &watch).unwrap()
     };
     let whole = up_to(u32::MAX);
     let all = requested.load(Ordering::Relaxed);
@@ -396,13 +384,10 @@ fn over_the_restitution_the_pitchfork_solves_the_closed_form() {
 /// A survey that is ended before a branch is followed has a path of one station: nothing is proved of a curve.
 #[test]
 fn r32_a_branch_of_one_station_is_not_proved_to_be_a_curve() {
-    let scene = Scene::parse(SCENE).unwrap();
-    let diagram_settings =
-        DiagramSettings { over: "amplitude=0.1..0.2".parse().unwrap(), doublings: 0, precision: Precision::default() };
     let ended_after = |requested: u32| {
         let done = AtomicU32::new(0);
         let watch = |_: Stage<'_>| proceed_if(done.fetch_add(1, Ordering::Relaxed) < requested);
-        survey(scene.pair(), scene.start(), (&"RL".parse().unwrap(), 1), &diagram_settings, &watch).unwrap().branches
+        surveyed(SCENE, ("RL", 1), "amplitude=0.1..0.2", 0, &watch).unwrap().branches
     };
     // The least number of questions after which a branch is begun.
     let (mut none, mut some) = (0, 1 << 14);

@@ -9,11 +9,13 @@ use impact_pair::periodic::Precision;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 
+use crate::setup::{changed, scene};
+
 const FIRST: &str = "FFFFFFFNFFFFFNFFNFFNFFFF";
 const SECOND: &str = "FFFFFFNFFFFNFFFFFNFFNFFNFFFF";
 
 fn figure_14() -> Scene {
-    Scene::parse(include_str!("../scenes/figure-14.toml")).unwrap()
+    scene("figure-14")
 }
 
 fn settings(over: &str, word: &str, digits: u32) -> TangencySettings {
@@ -71,8 +73,12 @@ fn over_the_amplitude_the_ratio_is_the_same() {
 #[test]
 fn over_the_restitution_the_tangency_is_the_same() {
     let gap = "gap = \"8*1.17814079711090061855399854994343000656779766745018\"";
-    let scene = Scene::parse(&include_str!("../scenes/figure-14.toml").replace("gap = 9.42497", gap)).unwrap();
-    let found = Tangencies::of(&scene, &settings("restitution=0.4999..0.5001", FIRST, 30), &Unwatched).unwrap();
+    let found = Tangencies::of(
+        &changed("figure-14", ["gap = 9.42497", gap]),
+        &settings("restitution=0.4999..0.5001", FIRST, 30),
+        &Unwatched,
+    )
+    .unwrap();
     assert!(found.is_certified() && holds(&found.tangencies[0].parameter, "1/2"));
     assert!(holds(&found.tangencies[0].unstable, "0.001036717798769376714535248642529318"));
     assert!((found.tangencies[0].quadratic.mid_rad().0 + 1_158_440_084.207).abs() < 1e-2);
@@ -81,8 +87,10 @@ fn over_the_restitution_the_tangency_is_the_same() {
 /// For each e in 1/2 +- 1e-5: the bounds hold the tangency, its saddle and its coefficients for members.
 #[test]
 fn a_family_over_an_interval_of_the_restitution_is_proved() {
-    let scene = |e: &str| Scene::parse(&include_str!("../scenes/figure-14.toml").replace("= 0.5", e)).unwrap();
-    let of = |e: &str| Tangencies::of(&scene(e), &settings("gap=9.425..9.4253", FIRST, 9), &Unwatched).unwrap();
+    let of = |e: &str| {
+        Tangencies::of(&changed("figure-14", ["= 0.5", e]), &settings("gap=9.425..9.4253", FIRST, 9), &Unwatched)
+            .unwrap()
+    };
     let family = of("= \"[0.49999, 0.50001]\"");
     assert!(family.is_certified());
     let family = &family.tangencies[0];
@@ -113,24 +121,22 @@ fn nothing_is_claimed_where_there_is_none() {
         assert!(found.tangencies.is_empty() && !found.is_certified(), "{over} {word}");
     }
     // Figure 12: the equispaced motion is stable.
-    let scene = Scene::parse(include_str!("../scenes/figure-12.toml")).unwrap();
-    let found = Tangencies::of(&scene, &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
+    let found = Tangencies::of(&scene("figure-12"), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
     assert!(found.tangencies.is_empty());
 }
 
 #[test]
 fn errors_name_the_accepted_values() {
-    let scene = |text: &str| Scene::parse(&include_str!("../scenes/figure-14.toml").replace("= 0.5", text)).unwrap();
     let error_of = |scene: &Scene, over: &str| {
         Tangencies::of(scene, &settings(over, FIRST, 9), &Unwatched).unwrap_err().to_string()
     };
-    let wide =
-        Scene::parse(&include_str!("../scenes/figure-14.toml").replace("amplitude = 8", "amplitude = \"[7, 8]\""))
-            .unwrap();
+    let wide = changed("figure-14", ["amplitude = 8", "amplitude = \"[7, 8]\""]);
     assert!(error_of(&wide, "gap=9.4..9.5").contains("accepted is a single number"));
     assert!(error_of(&figure_14(), "frequency=1..4").contains("KEY one of gap, amplitude, restitution"));
     for e in ["= 0", "= 1"] {
-        let found = Tangencies::of(&scene(e), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched).unwrap();
+        let found =
+            Tangencies::of(&changed("figure-14", ["= 0.5", e]), &settings("gap=9.4..9.5", FIRST, 9), &Unwatched)
+                .unwrap();
         assert!(found.tangencies.is_empty() && !found.is_certified());
     }
     assert!("FFX".parse::<FlightWord>().unwrap_err().to_string().contains("letters F"));

@@ -8,6 +8,8 @@ use impact_pair::periodic::bifurcation::{Kind, NoWindow, Window, WindowSeed};
 use impact_pair::periodic::{Precision, Stability};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 
+use crate::setup::scene;
+
 const SCENE: &str = r#"
     excitation = { amplitude = 0.3, frequency = "pi", phase = 0 }
     pair = { gap = 1, restitution = 0.8 }
@@ -58,9 +60,7 @@ fn over_the_gap_the_ends_are_exchanged() {
 /// A search that is stopped keeps what it has; a range of another key is refused.
 #[test]
 fn a_search_can_be_stopped_and_requires_a_parameter() {
-    let scene =
-        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
-            .unwrap();
+    let scene = scene("figure-14");
     let over = |over: &str| over.parse().unwrap();
     let settings =
         |over, impacts| WindowSettings { over, impacts, longest: 20, most: 2, precision: Precision::default() };
@@ -76,9 +76,7 @@ fn a_search_can_be_stopped_and_requires_a_parameter() {
 /// ends are enclosed the widest.
 #[test]
 fn r50_the_window_of_44_impacts_is_proved_from_each_of_its_impacts() {
-    let scene =
-        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
-            .unwrap();
+    let scene = scene("figure-14");
     let phases = vec![
         0.96038144142,
         1.28689507003,
@@ -140,9 +138,7 @@ fn is_one(a: &str, b: &str) -> bool {
 #[test]
 #[ignore = "deep: 80,000,000 impacts; by default the_window_of_two_impacts_is_that_of_the_closed_forms"]
 fn the_sinks_near_the_printed_gap_are_found_with_their_windows() {
-    let scene =
-        Scene::parse(&std::fs::read_to_string(format!("{}/scenes/figure-14.toml", impact_pair_tests::ROOT)).unwrap())
-            .unwrap();
+    let scene = scene("figure-14");
     let settings = WindowSettings {
         over: "gap=9.4247..9.4253".parse().unwrap(),
         impacts: 80_000_000,
