@@ -1,16 +1,15 @@
 //! Periodic orbits through the public API: known ones, and each run again by the certified orbit.
 
-use crate::tolerances::{DETERMINANT, TRACE, VIETA};
-use approx::{abs_diff_eq, assert_abs_diff_eq};
+use crate::tolerances::TRACE;
+use approx::abs_diff_eq;
 use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::number::{Ball, LEAST_BITS, MpBall, Number};
-use impact_pair::orbit::{Arithmetic, Orbit, Settings, Start};
-use impact_pair::pair::Reduced;
-use impact_pair::periodic::{Budget, Census, Chain, Finding, PeriodicOrbit, Precision, Problem, Stability};
+use impact_pair::number::{Ball, LEAST_BITS};
+use impact_pair::orbit::{Orbit, Settings, Start};
+use impact_pair::periodic::{Budget, Census, Finding, PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::{Harmonic, ImpactPair, Scene};
 use proptest::prelude::*;
 
-fn value(text: &str) -> Exact {
+pub fn value(text: &str) -> Exact {
     text.parse().unwrap()
 }
 
@@ -21,7 +20,7 @@ pub fn pair(ratio: &str, restitution: &str) -> ImpactPair {
 }
 
 /// A start to find guesses from.
-fn start() -> Start {
+pub fn start() -> Start {
     Start::on_wall(value("0"), impact_pair::pair::Wall::Left, value("-1")).unwrap()
 }
 
@@ -172,126 +171,6 @@ fn mirrored_words_have_mirrored_orbits() {
                 assert_eq!(one.len(), other.len(), "{word} in {cycles}");
                 assert!(one.iter().zip(&other).all(|(a, b)| abs_diff_eq!(a, b, epsilon = TRACE * a.abs().max(1.0))));
             }
-        }
-    }
-}
-
-/// Runs a certified orbit from a narrow box around a proved one for a hundred periods; each impact stays at it.
-fn runs_a_hundred_periods(pair: &ImpactPair, orbit: &PeriodicOrbit, cycles: u32) {
-    let interval = |x: &Enclosure| {
-        let end = |x: &impact_pair::exact::Dyadic| Exact::from_rational(x.to_rational());
-        Exact::interval(&end(x.inf()), &end(x.sup())).unwrap()
-    };
-    let first = &orbit.impacts[0];
-    // A forcing period takes 1, the gap is 1: phases are times and velocities are as they are.
-    let start = Start::on_wall(interval(&first.phase), first.wall, interval(&first.velocity)).unwrap();
-    let count = orbit.impacts.len();
-    let settings =
-        Settings { impacts: Some(100 * count as u64), arithmetic: Arithmetic::Bits(2048), ..Settings::default() };
-    let mut run = Orbit::new(pair, &start, settings).unwrap();
-    let mut seen = 0;
-    while let Some(impact) = run.next() {
-        let at = &orbit.impacts[(seen + 1) % count];
-        let rounds = f64::from(cycles) * ((seen + 1) / count) as f64;
-        let (time, velocity) = run.bounds(&impact);
-        let shift = Enclosure::from_f64_bounds(rounds, rounds).unwrap();
-        assert_eq!(impact.wall, at.wall, "impact {seen}");
-        assert!(time.sub(&shift, 4096).intersection(&at.phase).is_some(), "impact {seen}");
-        assert!(velocity.intersection(&at.velocity).is_some(), "impact {seen}");
-        seen += 1;
-    }
-    assert_eq!(seen, 100 * count, "{:?}", run.outcome());
-}
-
-#[test]
-fn proved_orbits_run_a_hundred_periods_and_stay() {
-    for (word, cycles, ratio, restitution) in [
-        ("LR", 1, "1/9.42497", "0.5"),
-        ("LR", 3, "2/9.42497", "0.5"),
-        ("LLR", 1, "8/9.42497", "0.5"),
-        ("RRLL", 1, "2", "0.8"),
-        ("RRLLL", 1, "2", "0.8"),
-        ("LLR", 1, "0.498", "0.8"),
-        ("RRRRRLLLLL", 1, "7.5", "0.8"),
-    ] {
-        let pair = pair(ratio, restitution);
-        // Enough digits for what a hundred periods of the most unstable orbits eat.
-        let found = problem(&pair, word, cycles).find(&start(), Precision { digits: 300, max_bits: 1 << 14 });
-        let motions: Vec<_> = found.orbits.iter().filter(|orbit| orbit.physical == Some(true)).collect();
-        assert!(!motions.is_empty(), "{word}");
-        for orbit in motions {
-            assert!(orbit.is_narrow);
-            runs_a_hundred_periods(&pair, orbit, cycles);
-        }
-    }
-}
-
-/// The state after a period, from phases by bisection-free Newton in 512 bits: independent of the Jacobian (A.7).
-fn after_a_period(chain: &Chain, reduced: &Reduced<MpBall>, guess: &[MpBall], state: [MpBall; 2]) -> [MpBall; 2] {
-    let [mut phase, mut before] = state;
-    for i in 0..chain.impacts() {
-        let after = -(reduced.restitution.clone() * before.clone());
-        let (sin, cos) = phase.sin_cos();
-        let drift = after + reduced.beta.clone() * cos;
-        let j = chain.next(i);
-        let rounds = MpBall::from_f64(if j == 0 { f64::from(chain.cycles()) } else { 0.0 });
-        let mut next = guess[j].clone() + rounds;
-        for _ in 0..60 {
-            let (sin1, cos1) = next.sin_cos();
-            let travel = drift.clone() * (next.clone() - phase.clone()) - reduced.alpha.clone() * (sin1 - sin.clone());
-            let miss = travel - MpBall::from_f64(chain.displacement(i));
-            let velocity = drift.clone() - reduced.beta.clone() * cos1;
-            next = next - miss.checked_div(velocity).unwrap();
-            next = MpBall::exact(next.mid().clone());
-        }
-        before = drift - reduced.beta.clone() * next.sin_cos().1;
-        phase = next;
-    }
-    [phase, before]
-}
-
-/// Trace and determinant by central differences of the period map in 512 bits, with a step of `2^-128`.
-#[test]
-fn trace_and_determinant_agree_with_finite_differences() {
-    const BITS: u32 = 512;
-    for (word, cycles, ratio, restitution) in
-        [("LR", 1, "1/9.42497", "0.5"), ("RRLL", 1, "2", "0.8"), ("RRLLL", 1, "2", "0.8"), ("LLR", 1, "0.498", "0.8")]
-    {
-        let pair = pair(ratio, restitution);
-        let reduced = Reduced::exact(&pair).unwrap().map(|x| MpBall::enclosing(&x.enclose(BITS), BITS));
-        let reduced = reduced.map(|x| MpBall::exact(x.mid().clone()));
-        let problem = problem(&pair, word, cycles);
-        let found = problem.find(&start(), Precision { digits: 30, max_bits: 4096 });
-        for orbit in found.orbits {
-            let ball = |x: &Enclosure| MpBall::exact(MpBall::enclosing(x, BITS).mid().clone());
-            let phases: Vec<MpBall> = orbit.impacts.iter().map(|impact| ball(&impact.phase)).collect();
-            let state = [phases[0].clone(), ball(&orbit.impacts[0].velocity)];
-            let step = MpBall::from_f64(2f64.powi(-128));
-            let column = |which: usize| {
-                let moved = |sign: f64| {
-                    let mut state = state.clone();
-                    state[which] = state[which].clone() + step.clone().signed(sign);
-                    after_a_period(problem.chain(), &reduced, &phases, state)
-                };
-                let (up, down) = (moved(1.0), moved(-1.0));
-                [0, 1].map(|row: usize| {
-                    let apart = up[row].clone() - down[row].clone();
-                    apart.checked_div(step.clone() + step.clone()).unwrap().mid().to_f64()
-                })
-            };
-            let [[a, c], [b, d]] = [column(0), column(1)];
-            let scale = (a * d).abs() + (b * c).abs();
-            assert!(holds(&orbit.trace, a + d, 1e-12 * (a.abs() + d.abs())), "{word}: {} {orbit:?}", a + d);
-            let power = restitution.parse::<f64>().unwrap().powi(2 * phases.len() as i32);
-            assert!(
-                abs_diff_eq!(a * d - b * c, power, epsilon = DETERMINANT * scale)
-                    && holds(&orbit.determinant, power, 1e-12)
-            );
-            // Vieta: the eigenvalues' sum and product.
-            let [x, y] = orbit.eigenvalues.each_ref().map(|value| (value.re.mid_rad().0, value.im.mid_rad().0));
-            assert_abs_diff_eq!(x.0 + y.0, a + d, epsilon = VIETA * scale.max(1.0));
-            assert_abs_diff_eq!(x.1, -y.1, epsilon = DETERMINANT);
-            assert_abs_diff_eq!(x.0 * y.0 - x.1 * y.1, power, epsilon = VIETA * scale.max(1.0));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Periodic orbits under several harmonics, Lemmas H10-H12: against one harmonic in two terms, against certified runs.
 
+use crate::periodic::{all, physical, problem, start, value};
 use crate::tolerances::{PHASE, TRACE};
 use approx::abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
@@ -10,23 +11,11 @@ use impact_pair::{Excitation, Harmonic, ImpactPair};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-fn value(text: &str) -> Exact {
-    text.parse().unwrap()
-}
-
 /// A pair with a gap of 1 and harmonics with the given amplitudes, frequencies and phases.
 fn pair(terms: &[(&str, &str, &str)], restitution: &str) -> ImpactPair {
     let term = |&(a, w, tau): &(&str, &str, &str)| Harmonic::new(value(a), value(w), value(tau)).unwrap();
     let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
     ImpactPair::new(excitation, value("1"), value(restitution)).unwrap()
-}
-
-fn start() -> Start {
-    Start::on_wall(value("0"), Wall::Left, value("-1")).unwrap()
-}
-
-fn problem(pair: &ImpactPair, word: &str, cycles: u32) -> Problem {
-    Problem::new(pair, &word.parse().unwrap(), cycles).unwrap()
 }
 
 /// The phases of an orbit in doubles.
@@ -45,10 +34,24 @@ fn questions() -> Vec<(ImpactPair, &'static str, u32)> {
     ]
 }
 
-/// The admissible orbits found for all `questions`, to `digits` decimal digits.
+/// The same of one harmonic.
+fn of_one_harmonic() -> impl Iterator<Item = (ImpactPair, &'static str, u32)> {
+    let known = [
+        ("LR", 1, "1/9.42497", "0.5"),
+        ("LR", 3, "2/9.42497", "0.5"),
+        ("LLR", 1, "8/9.42497", "0.5"),
+        ("RRLL", 1, "2", "0.8"),
+        ("RRLLL", 1, "2", "0.8"),
+        ("LLR", 1, "0.498", "0.8"),
+        ("RRRRRLLLLL", 1, "7.5", "0.8"),
+    ];
+    known.into_iter().map(|(word, cycles, ratio, e)| (pair(&[(ratio, "2*pi", "0")], e), word, cycles))
+}
+
+/// The admissible orbits found for all of them, to `digits` decimal digits.
 fn motions(digits: u32) -> Vec<(ImpactPair, Problem, PeriodicOrbit)> {
     let mut motions = Vec::new();
-    for (pair, word, cycles) in questions() {
+    for (pair, word, cycles) in questions().into_iter().chain(of_one_harmonic()) {
         let problem = problem(&pair, word, cycles);
         let census = problem.find(&start(), Precision { digits, max_bits: 1 << 14 });
         let before = motions.len();
@@ -105,13 +108,6 @@ fn one_harmonic_in_two_terms_has_the_same_orbits() {
     }
 }
 
-/// The orbits that a search proves to be all there are.
-fn all(pair: &ImpactPair, word: &str, cycles: u32) -> Vec<PeriodicOrbit> {
-    let census = problem(pair, word, cycles).find_all(&start(), Precision::default(), Budget::default());
-    assert!(census.is_certified() && census.exhaustive, "{word}: {} parts", census.undecided.len());
-    census.orbits.into_iter().filter(|orbit| orbit.physical == Some(true)).collect()
-}
-
 /// The same sum, searched: as many orbits as under one harmonic.
 #[test]
 fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
@@ -123,7 +119,7 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_two_terms() {
     ] {
         let one = pair(&[(ratio, "2*pi", "0")], restitution);
         let two = pair(&[(ratio, "2*pi", "pi/3"), (ratio, "2*pi", "-pi/3")], restitution);
-        let counts = [one, two].map(|pair| all(&pair, word, cycles).len());
+        let counts = [one, two].map(|pair| physical(all(&pair, word, cycles)).len());
         assert!(counts[0] == counts[1] && counts[0] > 0, "{word} in {cycles}: {counts:?}");
     }
 }
@@ -137,10 +133,10 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_each_period_under_a_faint_slowe
         ("LLR", "1/9.42497", "0.5", "4*pi/3", 3),
         ("LRLR", "0.36", "0.8", "pi", 2),
     ] {
-        let one = all(&pair(&[(ratio, "2*pi", "0")], restitution), word, turns);
+        let one = physical(all(&pair(&[(ratio, "2*pi", "0")], restitution), word, turns));
         let expected: usize = one.iter().map(|orbit| turns as usize / orbit.repeats.expect("told")).sum();
         let faint = pair(&[("1e-6", slow, "0.3"), (ratio, "2*pi", "0")], restitution);
-        let found = all(&faint, word, turns).len();
+        let found = physical(all(&faint, word, turns)).len();
         assert!(found == expected && found > 0, "{word}: {found} for {expected} of {}", one.len());
     }
 }
@@ -149,9 +145,8 @@ fn a_search_counts_the_orbits_of_one_harmonic_in_each_period_under_a_faint_slowe
 #[test]
 fn a_search_holds_what_guesses_lead_to() {
     for (pair, word, cycles) in questions().into_iter().take(3) {
-        let guessed = problem(&pair, word, cycles).find(&start(), Precision::default()).orbits;
-        let guessed = guessed.iter().filter(|orbit| orbit.physical == Some(true)).count();
-        assert!(all(&pair, word, cycles).len() >= guessed && guessed > 0, "{word} in {cycles}");
+        let guessed = physical(problem(&pair, word, cycles).find(&start(), Precision::default())).len();
+        assert!(physical(all(&pair, word, cycles)).len() >= guessed && guessed > 0, "{word} in {cycles}");
     }
 }
 
@@ -190,7 +185,7 @@ fn certified_runs_from_a_proved_box_stay_at_the_orbit() {
     }
 }
 
-/// Trace and determinant by central differences of certified runs of one period from rational states in the box.
+/// Trace and determinant by central differences of certified runs of one period from rational states in the box; Lemma T4 and Vieta.
 #[test]
 fn trace_and_determinant_agree_with_differences_of_runs() {
     let step = BigRational::new(1.into(), num_bigint::BigInt::from(1) << 100);
@@ -216,6 +211,13 @@ fn trace_and_determinant_agree_with_differences_of_runs() {
         let (low, high) = orbit.determinant.to_f64_bounds();
         let size = 1e-10 * ((a * d).abs() + (b * c).abs());
         assert!(low - size <= a * d - b * c && a * d - b * c <= high + size, "{}", a * d - b * c);
+        let meet = |x: &Enclosure, y: &Enclosure| assert!(x.intersection(y).is_some(), "{x:?} {y:?} {orbit:?}");
+        let power = pair.restitution().enclose(256).powi(2 * orbit.impacts.len() as i32, 256).unwrap();
+        meet(&orbit.determinant, &power);
+        let [one, other] = &orbit.eigenvalues;
+        meet(&one.re.add(&other.re, 256), &orbit.trace);
+        meet(&one.im.add(&other.im, 256), &Exact::from(0).enclose(256));
+        meet(&one.re.mul(&other.re, 256).sub(&one.im.mul(&other.im, 256), 256), &orbit.determinant);
     }
 }
 

@@ -32,9 +32,6 @@ pub const EIGENVALUE: f64 = 1e-5;
 pub const EIGENVALUE_7: f64 = 1e-7;
 /// Phases of an orbit found again, far away in time.
 pub const PHASE: f64 = 1e-9;
-/// Determinants and Vieta's sums of a matrix of multiprecision differences in doubles, relative to their terms.
-pub const DETERMINANT: f64 = 1e-12;
-pub const VIETA: f64 = 1e-9;
 /// Bifurcations: a quotient told to eight digits; the closed form at an enclosure's middle.
 pub const QUOTIENT: f64 = 1e-6;
 pub const CLOSED_FORM: f64 = 1e-12;
