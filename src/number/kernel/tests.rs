@@ -1,69 +1,20 @@
 //! Tests of the fast kernel: exact values, and Lemmas K1, K2, K3 against big integers.
 
 use super::*;
-use num_bigint::BigInt;
+use crate::exact::{Dyadic, Enclosure};
 
-/// Fixed point with `bits` fractional bits: an oracle that shares nothing with the code above.
-struct Oracle {
-    bits: usize,
-    tau: BigInt,
+fn point(x: f64) -> Enclosure {
+    Enclosure::from_f64_bounds(x, x).unwrap()
 }
 
-impl Oracle {
-    fn new(bits: usize) -> Self {
-        // Machin: pi/4 = 4 atan(1/5) - atan(1/239).
-        let atan_of_inverse = |n: u32| {
-            let mut power = (BigInt::from(1) << bits) / n;
-            let mut sum = power.clone();
-            for i in (3_u32..).step_by(2) {
-                power = -power / (n * n);
-                if power == BigInt::ZERO {
-                    break;
-                }
-                sum += &power / i;
-            }
-            sum
-        };
-        let tau = (atan_of_inverse(5) * 4 - atan_of_inverse(239)) * 8;
-        Self { bits, tau }
-    }
+/// The angle of `u` forcing periods.
+fn angle(u: &Enclosure, bits: u32) -> Enclosure {
+    Enclosure::pi(bits).mul(u, bits).mul(&point(2.0), bits)
+}
 
-    fn exact(&self, value: f64) -> BigInt {
-        if value == 0.0 {
-            return BigInt::ZERO;
-        }
-        let exponent = (value.to_bits() >> 52 & 0x7ff) as i64;
-        let significand = BigInt::from((value.to_bits() & ((1 << 52) - 1)) | 1 << 52);
-        let shift = self.bits as i64 + exponent - 1075;
-        let size = if shift < 0 { significand >> -shift } else { significand << shift };
-        if value < 0.0 { -size } else { size }
-    }
-
-    /// `(sin 2 pi u, cos 2 pi u)`, by Taylor's series after taking off whole periods.
-    fn sin_cos(&self, u: &BigInt) -> (BigInt, BigInt) {
-        let one = BigInt::from(1) << self.bits;
-        let whole: BigInt = (u * 2 + &one) >> (self.bits + 1);
-        let angle = ((u - (whole << self.bits)) * &self.tau) >> self.bits;
-        let (mut term, mut sin, mut cos) = (one.clone(), BigInt::ZERO, one);
-        for i in 1_u32.. {
-            term = ((term * &angle) >> self.bits) / i;
-            if i > 20 && term.bits() < 4 {
-                return (sin, cos);
-            }
-            match i % 4 {
-                0 => cos += &term,
-                1 => sin += &term,
-                2 => cos -= &term,
-                _ => sin -= &term,
-            }
-        }
-        unreachable!()
-    }
-
-    fn ratio(&self, error: &BigInt, scale: &BigInt) -> f64 {
-        let ratio = (error.magnitude().clone() << 100_u32) / scale.magnitude().clone();
-        ratio.to_string().parse::<f64>().unwrap() / 2.0_f64.powi(100)
-    }
+/// How far a value is from the truth, in units of a scale.
+fn error(value: f64, truth: &Enclosure, scale: &Enclosure, bits: u32) -> f64 {
+    point(value).sub(truth, bits).div(scale, bits).unwrap().mag().to_f64_up()
 }
 
 fn draws(count: usize) -> impl Iterator<Item = f64> {
@@ -96,15 +47,12 @@ fn quarter_periods_and_symmetries_are_exact() {
 
 #[test]
 fn k1_sine_and_cosine_keep_their_bound() {
-    let oracle = Oracle::new(192);
-    let one = BigInt::from(1) << 192;
     let corners = [0.125, 0.375, 0.125_f64.next_down(), 0.125_f64.next_up(), 1e-300, (1_u64 << 40) as f64];
     let inputs = draws(8_000).flat_map(|v| [v, v * 200.0, v * (1_u64 << 40) as f64, v.powi(9) / 8.0]);
     let worst = inputs.chain(corners).fold([0.0_f64; 2], |worst, u| {
-        let (s, c) = oracle.sin_cos(&oracle.exact(u));
-        let (sine, cosine) = sin_cos(u);
-        let error = |value: f64, truth: BigInt| oracle.ratio(&(oracle.exact(value) - truth), &one);
-        [worst[0].max(error(sine, s)), worst[1].max(error(cosine, c))]
+        let (angle, (sine, cosine)) = (angle(&point(u), 192), sin_cos(u));
+        let one = point(1.0);
+        [worst[0].max(error(sine, &angle.sin(192), &one, 192)), worst[1].max(error(cosine, &angle.cos(192), &one, 192))]
     });
     assert_honest("K1 sine", worst[0], SIN_COS_ERROR);
     assert_honest("K1 cosine", worst[1], SIN_COS_ERROR);
@@ -114,16 +62,15 @@ fn k1_sine_and_cosine_keep_their_bound() {
 fn k2_departures_keep_their_relative_bound() {
     // 1100 bits: at h = 2^-300 the excess is 2^-897 and must still have its 53 bits.
     for (bits, count, exponents) in [(320, 6_000, 0..40), (1100, 300, 40..300)] {
-        let oracle = Oracle::new(bits);
         let mut worst = [0.0_f64; 3];
         let inputs = draws(count).zip(exponents.cycle()).map(|(v, e)| 0.125 * v.abs() * 0.5_f64.powi(e));
         for h in inputs.chain([0.125, 0.125_f64.next_down()]).filter(|&h| h >= 0.5_f64.powi(300)) {
             let SmallAngle { versine, excess, sine } = departure(h);
-            let turns = oracle.exact(h);
-            let (s, c) = oracle.sin_cos(&turns);
-            let truths = [(BigInt::from(1) << bits) - c, ((turns * &oracle.tau) >> bits) - &s, s];
+            let angle = angle(&point(h), bits);
+            let sin = angle.sin(bits);
+            let truths = [point(1.0).sub(&angle.cos(bits), bits), angle.sub(&sin, bits), sin];
             for ((value, truth), worst) in [versine, excess, sine].into_iter().zip(truths).zip(&mut worst) {
-                *worst = worst.max(oracle.ratio(&(oracle.exact(value) - &truth), &truth));
+                *worst = worst.max(error(value, &truth, &truth, bits));
             }
         }
         for (name, worst) in ["K2 versine", "K2 excess", "K2 sine"].into_iter().zip(worst) {
@@ -134,14 +81,12 @@ fn k2_departures_keep_their_relative_bound() {
 
 #[test]
 fn k3_the_coarse_angle_keeps_its_bound() {
-    let oracle = Oracle::new(192);
     // cos decreases on [0, 1/2]: compare q with the cosine at both ends of angle -+ bound.
+    let half = Dyadic::power_of_two(-1);
     let within = |q: f64, bound: f64| {
-        let (angle, bound, q) = (oracle.exact(acos_coarse(q)), oracle.exact(bound), oracle.exact(q));
-        let half: BigInt = BigInt::from(1) << 191;
-        let cosine = |turns: BigInt| oracle.sin_cos(&turns.clamp(BigInt::ZERO, half.clone())).1;
-        let slack = BigInt::from(1) << 40;
-        cosine(&angle + &bound) <= &q + &slack && q <= cosine(angle - bound) + slack
+        let [low, high] = [-bound, bound].map(|off| point(acos_coarse(q)).add(&point(off), 192));
+        let (q, cosine) = (Dyadic::from_f64(q).unwrap(), |turns: &Enclosure| angle(turns, 192).cos(192));
+        (*high.sup() > half || *cosine(&high).inf() <= q) && (low.inf().sign().is_lt() || q <= *cosine(&low).sup())
     };
     let inputs = draws(5_000).flat_map(|v| [v, (1.0 - v.abs().powi(9)).copysign(v)]);
     for q in inputs.chain([0.0, 1.0, -1.0, 1.0_f64.next_down(), -1.0_f64.next_down(), 1e-300]) {
