@@ -102,6 +102,8 @@ mod shaken;
 pub mod sweep;
 pub mod switch_plane;
 pub mod tangency;
+#[cfg(test)]
+mod tests;
 mod threads;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]

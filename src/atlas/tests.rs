@@ -4,8 +4,8 @@ use num_rational::BigRational;
 
 use super::*;
 use crate::chaos::GlobalSettings;
-use crate::scene::Scene;
 use crate::sweep::Head;
+use crate::tests::scene_of;
 use crate::watch::Unwatched;
 
 fn plane(axes: [&str; 2], cells: bool) -> Plane {
@@ -57,10 +57,8 @@ fn axes_that_span_no_plane_are_refused() {
 /// A cell says what its points say, and a point within it can say no other class: cycles with rests at e = 0 (Theorem Z4), alpha from 2 on.
 #[test]
 fn a20_a_cell_holds_for_its_points() {
-    let scene = "excitation = { amplitude = 4, frequency = 1, phase = 0 }\n\
-                 pair = { gap = 1, restitution = 0.05 }\n\
-                 start = { time = 0, wall = \"left\", velocity = 0 }";
-    let scene = Scene::parse(scene).unwrap();
+    let start = "time = 0, wall = \"left\", velocity = 0";
+    let scene = scene_of("amplitude = 4, frequency = 1, phase = 0", "gap = 1, restitution = 0.05", start);
     let settings = GlobalSettings { boxes: 1 << 10, most: 20_000, ..GlobalSettings::default() };
     let axes = ["amplitude=4..4.01:2", "restitution=0.05..0.051:2"];
     let points = plane(axes, false);
@@ -80,10 +78,8 @@ fn a20_a_cell_holds_for_its_points() {
 /// The limit that leaves a component of a point undecided is written with it; a point that is interrupted has no line.
 #[test]
 fn a_point_that_is_undecided_says_which_limit_left_it() {
-    let scene = "excitation = { amplitude = 1, frequency = 1, phase = 0 }\n\
-                 pair = { gap = \"3*pi\", restitution = 0.5 }\n\
-                 start = { time = 0, wall = \"left\", velocity = 0 }";
-    let scene = Scene::parse(scene).unwrap();
+    let start = "time = 0, wall = \"left\", velocity = 0";
+    let scene = scene_of("amplitude = 1, frequency = 1, phase = 0", "gap = \"3*pi\", restitution = 0.5", start);
     let plane = plane(["amplitude=1..2:2", "restitution=0.5..0.6:2"], false);
     let few = GlobalSettings { boxes: 1 << 8, ..GlobalSettings::default() };
     let limits = [

@@ -148,11 +148,9 @@ mod tests {
     #[test]
     fn a_scene_is_rounded_as_a_whole() {
         let scene = |amplitude: &str, place: &str| {
-            let text = format!(
-                "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0 }}\n\
-                 pair = {{ gap = 9.42497, restitution = 0.5 }}\nstart = {{ time = 0, {place}, velocity = -12.56636 }}"
-            );
-            Scene::parse(&text).unwrap()
+            let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
+            let start = format!("time = 0, {place}, velocity = -12.56636");
+            crate::tests::scene_of(&excitation, "gap = 9.42497, restitution = 0.5", &start)
         };
         for place in ["wall = \"left\"", "position = 0.1"] {
             let rounded = rounded(&scene("8", place)).unwrap();

@@ -1,4 +1,5 @@
 use super::*;
+use crate::tests::scene;
 use crate::watch::Unwatched;
 
 #[test]
@@ -15,19 +16,10 @@ fn listed(times: impl Iterator<Item = u64>) -> String {
     format!("time,wall\n{}", times.map(row).collect::<String>())
 }
 
-fn exact_orbit_of_figure_12() -> Scene {
-    Scene::parse(
-        "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
-         pair = { gap = \"3*pi\", restitution = 0.5 }\n\
-         start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }",
-    )
-    .unwrap()
-}
-
 /// With a tolerance of a forcing period a row before impact 3 is impact 4: then impact 3, which is later than all rows, is missed.
 #[test]
 fn r40_an_impact_before_a_listed_one_is_missed_whatever_the_time_of_the_last_row() {
-    let scene = exact_orbit_of_figure_12();
+    let scene = scene("figure-12-exact");
     let verdicts = |list: &str, until: Option<&str>| -> Vec<Verdict> {
         let list = read(list, &Columns::default(), scene.pair()).unwrap();
         let until = until.map(|until| until.parse().unwrap());
@@ -45,7 +37,7 @@ fn r40_an_impact_before_a_listed_one_is_missed_whatever_the_time_of_the_last_row
 /// Rests are no impacts, in whatever form the list comes.
 #[test]
 fn r44_of_columns_in_json_those_that_are_no_impacts_are_skipped() {
-    let scene = exact_orbit_of_figure_12();
+    let scene = scene("figure-12-exact");
     let read = |list: &str| read(list, &Columns::default(), scene.pair()).unwrap();
     let columns = r#"{"event": ["impact", "rest", "impact"], "time": [1, 1.5, 2], "wall": ["right", "right", "left"]}"#;
     let list = read(columns);
@@ -55,7 +47,7 @@ fn r44_of_columns_in_json_those_that_are_no_impacts_are_skipped() {
 }
 
 fn refused(list: &str, until: Option<&str>) -> String {
-    let scene = exact_orbit_of_figure_12();
+    let scene = scene("figure-12-exact");
     let requested = AuditSettings { until: until.map(|until| until.parse().unwrap()), ..AuditSettings::default() };
     let list = read(list, &Columns::default(), scene.pair());
     list.and_then(|list| Audit::of(&scene, list, &requested, &Unwatched).map(drop)).unwrap_err().to_string()
@@ -76,7 +68,7 @@ fn r45_a_row_in_json_has_each_key_once() {
 /// In words above a list `time` and `wall` are no columns, where there are more or fewer of them.
 #[test]
 fn r45_a_comment_names_columns_only_if_there_is_one_for_each_word() {
-    let scene = exact_orbit_of_figure_12();
+    let scene = scene("figure-12-exact");
     for comment in ["my own time integrator", "wall clock time", "the wall", "time wall"] {
         let list = format!("# {comment}\n1 right\n2 left");
         let list = read(&list, &Columns::default(), scene.pair()).unwrap();
@@ -97,7 +89,7 @@ fn r45_nothing_is_compared_before_the_start() {
 
 #[test]
 fn a_corrupted_time_does_not_cost_an_endless_run() {
-    let scene = exact_orbit_of_figure_12();
+    let scene = scene("figure-12-exact");
     let audit = |list: &str| {
         let rows = read(list, &Columns::default(), scene.pair()).unwrap();
         Audit::of(&scene, rows, &AuditSettings::default(), &Unwatched).unwrap()

@@ -143,14 +143,9 @@ fn outward(ends: [[f64; 2]; 2]) -> Quad {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Scene;
 
     fn map(columns: i64) -> Result<BoxMap, Error> {
-        let scene = Scene::parse(
-            "excitation = { amplitude = \"2.3\", frequency = 5, phase = \"0.4\" }\n\
-             pair = { gap = \"7.1\", restitution = \"0.63\" }\nstart = { time = 0, wall = \"left\", velocity = -1 }",
-        );
-        BoxMap::new(scene.unwrap().pair(), columns)
+        BoxMap::new(&crate::tests::pair_of(&[["2.3", "5", "0.4"]], "7.1", "0.63"), columns)
     }
 
     /// Bounds of phase of the rectangle around landings in these columns of eight, all on the near wall.

@@ -108,18 +108,11 @@ fn settled(guess: &Guess, start: State) -> Option<Vec<State>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Harmonic;
-    use crate::exact::Exact;
+    use crate::tests::pair;
     use crate::watch::Unwatched;
 
-    fn pair([ratio, restitution]: [&str; 2]) -> ImpactPair {
-        let exact = |text: &str| text.parse::<Exact>().unwrap();
-        let harmonic = Harmonic::new(exact(ratio), exact("2*pi"), exact("0")).unwrap();
-        ImpactPair::new(harmonic, exact("1"), exact(restitution)).unwrap()
-    }
-
-    fn orbits(values: [&str; 2]) -> Vec<(String, u32)> {
-        let found = stable_orbits(&pair(values), &Unwatched).unwrap();
+    fn orbits([ratio, restitution]: [&str; 2]) -> Vec<(String, u32)> {
+        let found = stable_orbits(&pair(ratio, restitution), &Unwatched).unwrap();
         found.into_iter().map(|(word, cycles)| (word.to_string(), cycles)).collect()
     }
 

@@ -7,28 +7,19 @@ use super::node::{Axes, Landing, Link};
 use super::*;
 use crate::contact::Reason;
 use crate::mapping::Sheared;
-
-fn scene(name: &str) -> Scene {
-    let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
-}
+use crate::tests::{scene, scene_of};
 
 /// Figure 14 with an overtone.
 fn overtone() -> Scene {
-    let text = r#"
-        excitation = { amplitude = [8, 1], frequency = ["pi", "3*pi"], phase = [0, 1] }
-        pair = { gap = 9.42497, restitution = 0.5 }
-        start = { time = 0, wall = "left", velocity = -12.56636 }"#;
-    Scene::parse(text).unwrap()
+    let excitation = "amplitude = [8, 1], frequency = [\"pi\", \"3*pi\"], phase = [0, 1]";
+    let start = "time = 0, wall = \"left\", velocity = -12.56636";
+    scene_of(excitation, "gap = 9.42497, restitution = 0.5", start)
 }
 
 /// Figure 14 from inside the gap.
 fn inside() -> Scene {
-    let text = r#"
-        excitation = { amplitude = 8, frequency = "pi", phase = 0.3 }
-        pair = { gap = 9.42497, restitution = 0.5 }
-        start = { time = "1/3", position = 1.5, velocity = 7 }"#;
-    Scene::parse(text).unwrap()
+    let start = "time = \"1/3\", position = 1.5, velocity = 7";
+    scene_of("amplitude = 8, frequency = \"pi\", phase = 0.3", "gap = 9.42497, restitution = 0.5", start)
 }
 
 /// Chaos goes on, and widths stay: a trial by another program found these for a million impacts.
@@ -63,11 +54,9 @@ fn regular_orbits_are_not_shadowed() {
     }
     let graze = ending(&scene("graze"));
     assert!(matches!(graze, Some(Ending::Undecided(doubt)) if doubt.reason == Reason::Graze), "{graze:?}");
-    let pressed = r#"
-        excitation = { amplitude = 1, frequency = 1, phase = "1.25*pi" }
-        pair = { gap = 4, restitution = 0.5 }
-        start = { time = 0, wall = "left", velocity = 0 }"#;
-    assert_eq!(ending(&Scene::parse(pressed).unwrap()), Some(Ending::Rest));
+    let excitation = "amplitude = 1, frequency = 1, phase = \"1.25*pi\"";
+    let pressed = scene_of(excitation, "gap = 4, restitution = 0.5", "time = 0, wall = \"left\", velocity = 0");
+    assert_eq!(ending(&pressed), Some(Ending::Rest));
 }
 
 /// Lemma F2: there is a start in the segment whose orbit is in all nodes. It is found by secants, in multiprecision.

@@ -1,10 +1,7 @@
 use super::*;
+use crate::tests::scene_of as scene;
 use crate::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_document::{DescriptionDocument, FateName};
-
-fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
-    Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
-}
 
 fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
     let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");

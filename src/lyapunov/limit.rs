@@ -55,23 +55,13 @@ fn per_impact(square: &Dyadic, impacts: usize) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mapping::Word;
     use crate::periodic::{Precision, Problem};
-    use crate::scene::Scene;
+    use crate::tests::{pair_of, start};
 
-    fn orbits(scene: &str, word: &str) -> Vec<PeriodicOrbit> {
-        let scene = Scene::parse(scene).unwrap();
-        let word: Word = word.parse().unwrap();
-        let problem = Problem::new(scene.pair(), &word, 1).unwrap();
-        problem.find(scene.start(), Precision::default()).orbits
-    }
-
-    fn scene(amplitude: &str, gap: &str, restitution: &str) -> String {
-        format!(
-            "excitation = {{ amplitude = \"{amplitude}\", frequency = \"pi\", phase = 0 }}\n\
-             pair = {{ gap = \"{gap}\", restitution = \"{restitution}\" }}\n\
-             start = {{ time = 0, wall = \"left\", velocity = \"-4*pi\" }}"
-        )
+    /// Orbits of two impacts a cycle with `A = 1`.
+    fn orbits(gap: &str, restitution: &str) -> Vec<PeriodicOrbit> {
+        let pair = pair_of(&[["1", "pi", "0"]], gap, restitution);
+        Problem::new(&pair, &"RL".parse().unwrap(), 1).unwrap().find(&start(), Precision::default()).orbits
     }
 
     /// Of a complex pair both moduli are `e^n`, after `n` impacts: the limit is `ln e`, whatever the orbit.
@@ -80,7 +70,7 @@ mod tests {
         let complex = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.sign() == Some(std::cmp::Ordering::Greater);
         let mut seen = 0;
         for restitution in ["0.5", "0.6", "0.7", "0.8", "0.9"] {
-            for orbit in orbits(&scene("1", "3*pi", restitution), "RL").iter().filter(complex) {
+            for orbit in orbits("3*pi", restitution).iter().filter(complex) {
                 let [low, high] = limit(orbit, Passed::Flights).unwrap();
                 let truth = restitution.parse::<f64>().unwrap().ln();
                 assert!(low <= truth && truth <= high && high - low < 1e-12, "{restitution}: {low} {high}");
@@ -96,7 +86,7 @@ mod tests {
         let real = |orbit: &&PeriodicOrbit| orbit.eigenvalues[0].im.is_point() && orbit.stability == Stability::Stable;
         let mut seen = 0;
         for gap in ["9.42497", "9.425", "9.43"] {
-            for orbit in orbits(&scene("1", gap, "0.5"), "RL").iter().filter(real) {
+            for orbit in orbits(gap, "0.5").iter().filter(real) {
                 let [low, high] = limit(orbit, Passed::Flights).unwrap().map(|end| (2.0 * end).exp());
                 let trace = orbit.trace.mid_rad().0.abs();
                 assert!((low + 0.0625 / low - trace).abs() < 1e-8 && high - low < 1e-8, "{low} {high} {trace}");

@@ -1,16 +1,11 @@
 //! Against an orbit whose Jacobians are known exactly, against differences of orbits, and against what is known of chaos.
 
 use super::*;
+use crate::Scene;
 use crate::orbit::Settings;
-use crate::scene::Scene;
-use crate::tolerances::NORM_OF_DIFFERENCES;
-use crate::tolerances::{EXPONENT, NORM};
+use crate::tests::{scene, scene_of};
+use crate::tolerances::{EXPONENT, NORM, NORM_OF_DIFFERENCES};
 use approx::assert_abs_diff_eq;
-
-fn scene(name: &str) -> Scene {
-    let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
-}
 
 /// The disturbance after `impacts` impacts from the start.
 fn after(scene: &Scene, impacts: u64, digits: u32) -> Disturbance {
@@ -100,11 +95,9 @@ fn a_rest_forgets_a_graze_has_no_derivative() {
 #[test]
 fn a_rest_without_contact_force_has_no_exponent() {
     let still = |phase: &str, amplitude: &str| {
-        let text = format!(
-            "excitation = {{ amplitude = {amplitude}, frequency = 1, phase = \"{phase}\" }}\n\
-             pair = {{ gap = 4, restitution = 0.5 }}\nstart = {{ time = 0, wall = \"left\", velocity = 0 }}"
-        );
-        after(&Scene::parse(&text).unwrap(), 3, 9).exponent()
+        let excitation = format!("amplitude = {amplitude}, frequency = 1, phase = \"{phase}\"");
+        let start = "time = 0, wall = \"left\", velocity = 0";
+        after(&scene_of(&excitation, "gap = 4, restitution = 0.5", start), 3, 9).exponent()
     };
     let unpressed = Exponent::Unknown(Unknown::Unpressed);
     assert_eq!((still("pi", "1"), still("pi", "0")), (unpressed, unpressed));
@@ -115,23 +108,19 @@ fn a_rest_without_contact_force_has_no_exponent() {
 /// derivative; at the next impact there is. With a contact force that is past there is one at once.
 #[test]
 fn r62_a_start_where_the_contact_force_ends_has_no_exponent() {
+    let scene = |time: &str| {
+        let start = format!("time = \"{time}\", wall = \"left\", velocity = 0");
+        scene_of("amplitude = 0.3, frequency = \"2*pi\", phase = 0", "gap = 1, restitution = 0.5", &start)
+    };
     let at = |time: &str| {
-        let text = format!(
-            "excitation = {{ amplitude = 0.3, frequency = \"2*pi\", phase = 0 }}\npair = {{ gap = 1, restitution = 0.5 }}\n\
-             start = {{ time = \"{time}\", wall = \"left\", velocity = 0 }}"
-        );
-        let disturbance = after(&Scene::parse(&text).unwrap(), 3, 9);
+        let disturbance = after(&scene(time), 3, 9);
         (disturbance.exponent(), disturbance.passed())
     };
     assert_eq!(at("1"), (Exponent::Unknown(Unknown::Width), Passed::Break));
     for time in ["1.01", "1 + 1e-12"] {
         assert!(matches!(at(time), (Exponent::Finite { .. }, Passed::Flights)), "{time}");
     }
-    let scene = Scene::parse(
-        "excitation = { amplitude = 0.3, frequency = \"2*pi\", phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n\
-         start = { time = 1, wall = \"left\", velocity = 0 }",
-    );
-    let mut orbit = Orbit::of(&scene.unwrap(), Settings { impacts: Some(3), ..Settings::default() }).unwrap();
+    let mut orbit = Orbit::of(&scene("1"), Settings { impacts: Some(3), ..Settings::default() }).unwrap();
     let first = orbit.next().unwrap();
     let mut disturbance = Disturbance::at(&orbit, first);
     for _ in 0..2 {
@@ -144,10 +133,10 @@ fn r62_a_start_where_the_contact_force_ends_has_no_exponent() {
 #[test]
 fn without_rebound_one_direction_remains() {
     // e = 0: each impact forgets the velocity before it.
-    let text = "excitation = { amplitude = 8, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0 }\n\
-                start = { time = 0.3, wall = \"left\", velocity = -1 }";
+    let start = "time = 0.3, wall = \"left\", velocity = -1";
+    let scene = scene_of("amplitude = 8, frequency = 1, phase = 0", "gap = 1, restitution = 0", start);
     let settings = Settings { impacts: Some(1), ..Settings::default() };
-    let mut orbit = Orbit::of(&Scene::parse(text).unwrap(), settings).unwrap();
+    let mut orbit = Orbit::of(&scene, settings).unwrap();
     let start = orbit.start_impact().unwrap();
     let first = orbit.next().unwrap();
     let [[a, b], [c, d]] = orbit.jacobian(&start, &first).unwrap();

@@ -154,14 +154,13 @@ impl Orbit {
 mod tests {
     use super::*;
     use crate::exact::Enclosure;
-    use crate::scene::Scene;
 
     fn meets(a: &Enclosure, b: &Enclosure) -> bool {
         a.intersection(b).is_some()
     }
 
     fn orbit(arithmetic: &str) -> Orbit {
-        let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).unwrap();
+        let scene = crate::tests::scene("figure-14");
         Orbit::of(&scene, crate::orbit::Settings { arithmetic: arithmetic.parse().unwrap(), ..scene.settings() })
             .unwrap()
     }

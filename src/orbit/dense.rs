@@ -210,12 +210,10 @@ fn ball(x: &Enclosure) -> Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Scene;
     use crate::watch::Unwatched;
 
     fn followed(scene: &str, settings: &str) -> (Dense, Vec<Progress>) {
-        let path = format!("{}/scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
-        let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let scene = crate::tests::scene(scene);
         let settings = crate::orbit::Settings { arithmetic: settings.parse().unwrap(), ..scene.settings() };
         let mut events = Vec::new();
         let dense = Dense::of(Orbit::of(&scene, settings).unwrap(), &Unwatched, |_, event| events.push(event.clone()));

@@ -245,12 +245,8 @@ impl Nearness {
 mod tests {
     use super::*;
     use crate::Scene;
+    use crate::tests::{scene, scene_of};
     use proptest::prelude::*;
-
-    fn scene(name: &str) -> Scene {
-        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
-    }
 
     fn shadow(scene: &Scene, impacts: u64) -> Orbit {
         let settings = Settings { arithmetic: Arithmetic::Shadow, impacts: Some(impacts), ..Settings::default() };
@@ -292,11 +288,8 @@ mod tests {
         use crate::orbit::Progress;
         use crate::watch::Unwatched;
         use std::ops::ControlFlow;
-        let text = r#"
-            excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
-            pair = { gap = 40, restitution = 0.5 }
-            start = { time = 0, wall = "left", velocity = -5 }"#;
-        let scene = Scene::parse(text).unwrap();
+        let start = "time = 0, wall = \"left\", velocity = -5";
+        let scene = scene_of("amplitude = 4.92, frequency = \"pi\", phase = 0", "gap = 40, restitution = 0.5", start);
         let events = |mut orbit: Orbit| {
             let mut events = Vec::new();
             let _ = orbit.follow(&Unwatched, |_, event| {

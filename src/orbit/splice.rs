@@ -229,11 +229,7 @@ impl<S: Flying> Beginning<S> for Splice {
 mod tests {
     use super::*;
     use crate::Scene;
-
-    fn scene(name: &str) -> Scene {
-        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
-    }
+    use crate::tests::{scene, scene_of};
 
     fn spliced(scene: &Scene, splice: u64, impacts: u64) -> Result<Orbit, Error> {
         let settings =
@@ -267,11 +263,9 @@ mod tests {
 
     #[test]
     fn resting_and_regular_orbits_are_not_spliced() {
-        let rests = r#"
-            excitation = { amplitude = 4.92, frequency = "pi", phase = 0 }
-            pair = { gap = 40, restitution = 0.5 }
-            start = { time = 0, wall = "left", velocity = -5 }"#;
-        let error = spliced(&Scene::parse(rests).unwrap(), 100, 200).unwrap_err();
+        let start = "time = 0, wall = \"left\", velocity = -5";
+        let rests = scene_of("amplitude = 4.92, frequency = \"pi\", phase = 0", "gap = 40, restitution = 0.5", start);
+        let error = spliced(&rests, 100, 200).unwrap_err();
         assert!(error.to_string().contains("splice is 100, but it must be"), "{error}");
         assert!(spliced(&scene("figure-12"), 100, 200).unwrap().shadow().is_none());
     }

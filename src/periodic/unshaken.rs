@@ -62,15 +62,11 @@ impl Problem {
 mod tests {
     use super::*;
     use crate::periodic::{Budget, Precision};
-    use crate::{Harmonic, ImpactPair};
-    use impact_pair_model::Start;
+    use crate::tests::{pair, start};
 
     fn census(restitution: &str, word: &str, cycles: u32) -> Census {
-        let start = Start::on_wall("0".parse().unwrap(), crate::pair::Wall::Left, "-1".parse().unwrap()).unwrap();
-        let harmonic = Harmonic::new("0".parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
-        let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
-        let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
-        problem.find_all(&start, Precision::default(), Budget::default())
+        let problem = Problem::new(&pair("0", restitution), &word.parse().unwrap(), cycles).unwrap();
+        problem.find_all(&start(), Precision::default(), Budget::default())
     }
 
     /// A box at rest that takes nothing from the ball: it goes to and fro at one speed, from any time on.

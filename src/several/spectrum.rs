@@ -135,13 +135,11 @@ fn whole_turns_off(phase: Exact) -> Result<Exact, ExactError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Excitation;
+    use crate::tests::{exact, pair_of};
 
     fn spectrum(frequencies: &[&str]) -> Spectrum {
-        let value = |text: &str| text.parse::<Exact>().unwrap();
-        let terms = frequencies.iter().map(|w| Harmonic::new(value("2"), value(w), value("pi/3")).unwrap());
-        let pair = ImpactPair::new(Excitation::new(terms.collect()).unwrap(), value("4"), value("0.5")).unwrap();
-        Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap()
+        let terms: Vec<[&str; 3]> = frequencies.iter().map(|w| ["2", w, "pi/3"]).collect();
+        Spectrum::new(&pair_of(&terms, "4", "0.5"), &BigInt::from(7)).unwrap().unwrap()
     }
 
     #[test]
@@ -157,11 +155,9 @@ mod tests {
     /// Three harmonics of one frequency, a third of a period apart, cancel: what is left may have a mirror that all together have not.
     #[test]
     fn r44_harmonics_of_one_frequency_may_cancel() {
-        let value = |text: &str| text.parse::<Exact>().unwrap();
         let of = |terms: &[(&str, &str)]| {
-            let terms = terms.iter().map(|(w, tau)| Harmonic::new(value("2"), value(w), value(tau)).unwrap());
-            let pair = ImpactPair::new(Excitation::new(terms.collect()).unwrap(), value("4"), value("0.5")).unwrap();
-            Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap().is_odd()
+            let terms: Vec<[&str; 3]> = terms.iter().map(|(w, tau)| ["2", w, tau]).collect();
+            Spectrum::new(&pair_of(&terms, "4", "0.5"), &BigInt::from(7)).unwrap().unwrap().is_odd()
         };
         assert_eq!(of(&[("1", "0"), ("2", "0"), ("2", "2*pi/3"), ("2", "4*pi/3")]), None);
         assert_eq!(of(&[("2", "0"), ("1", "0"), ("1", "pi")]), None);
@@ -171,13 +167,10 @@ mod tests {
 
     #[test]
     fn phases_are_those_of_equation_1() {
-        let value = |text: &str| text.parse::<Exact>().unwrap();
-        let term = |w: &str| Harmonic::new(value("2"), value(w), value("pi/3")).unwrap();
-        let excitation = Excitation::new(vec![term("pi"), term("3*pi")]).unwrap();
-        let pair = ImpactPair::new(excitation, value("4"), value("0.5")).unwrap();
+        let pair = pair_of(&[["2", "pi", "pi/3"], ["2", "3*pi", "pi/3"]], "4", "0.5");
         let spectrum = Spectrum::new(&pair, &BigInt::from(7)).unwrap().unwrap();
         // In forcing period 7 of 3 pi with tau = pi/3 the time is (7 - 1/6) 2/3, and pi t + pi/3 is 2 pi (7/3 + 1/9).
-        let phases = phases_at(&pair, &value("(7 - 1/6)*2/3")).unwrap();
+        let phases = phases_at(&pair, &exact("(7 - 1/6)*2/3")).unwrap();
         let texts = |x: &[Exact]| x.iter().map(|x| x.as_rational().unwrap().to_string()).collect::<Vec<_>>();
         assert_eq!(texts(&phases), ["0", "4/9"]);
         assert_eq!(texts(&spectrum.terms.iter().map(|term| term.shift.clone()).collect::<Vec<_>>()), ["0", "4/9"]);

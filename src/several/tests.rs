@@ -11,15 +11,11 @@ use crate::exact::{Exact, Real};
 use crate::number::Ball;
 use crate::number::interval::Interval;
 use crate::pair::Wall;
-use crate::{Excitation, Harmonic, ImpactPair};
+use crate::tests::pair_of;
 
 /// Harmonics of a gap of 1, each an amplitude, a frequency and a phase.
 fn spectrum(terms: &[[&str; 3]]) -> Spectrum {
-    let value = |text: &&str| text.parse::<Exact>().unwrap();
-    let harmonic = |[a, w, tau]: &[&str; 3]| Harmonic::new(value(a), value(w), value(tau)).unwrap();
-    let excitation = Excitation::new(terms.iter().map(harmonic).collect()).unwrap();
-    let pair = ImpactPair::new(excitation, value(&"1"), value(&"1/2")).unwrap();
-    Spectrum::new(&pair, &0.into()).unwrap().unwrap()
+    Spectrum::new(&pair_of(terms, "1", "1/2"), &0.into()).unwrap().unwrap()
 }
 
 /// Sums with and without a common period.

@@ -56,16 +56,11 @@ impl<N: PhaseNumber> Shaking<N> for Sum<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Exact;
     use crate::number::{Ball, Number};
     use crate::shaken::SeveralHarmonics;
-    use crate::{Excitation, Harmonic, ImpactPair};
 
     fn balls() -> Sum<Ball> {
-        let value = |text: &str| text.parse::<Exact>().unwrap();
-        let terms = [("2", "pi", "0.3"), ("1", "3*pi", "pi/5")];
-        let terms = terms.map(|(a, w, tau)| Harmonic::new(value(a), value(w), value(tau)).unwrap());
-        let pair = ImpactPair::new(Excitation::new(terms.to_vec()).unwrap(), value("4"), value("0.5")).unwrap();
+        let pair = crate::tests::pair_of(&[["2", "pi", "0.3"], ["1", "3*pi", "pi/5"]], "4", "0.5");
         SeveralHarmonics::new(&pair, &0.into()).unwrap().unwrap().balls
     }
 

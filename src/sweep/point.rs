@@ -140,14 +140,10 @@ mod tests {
     use super::*;
     use crate::pair::Wall;
     use crate::scene::Key;
+    use crate::tests::{scene, scene_of};
     use crate::tolerances::TRANSIENT;
     use crate::watch::{Stage, Unwatched};
     use approx::assert_abs_diff_eq;
-
-    fn scene(name: &str) -> Scene {
-        let path = format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
-    }
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
         let requested = PointSettings {
@@ -204,11 +200,8 @@ mod tests {
     /// A rest before the first impact: the exponent over all impacts is minus infinity however many there are; that after the transient is not.
     #[test]
     fn r44_the_limit_of_an_exponent_is_that_of_the_impacts_after_the_transient() {
-        let rests = Scene::parse(
-            "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\npair = { gap = 3, restitution = 0.5 }\n\
-             start = { time = 1.5, wall = \"left\", velocity = 0 }",
-        );
-        let rests = rests.unwrap();
+        let start = "time = 1.5, wall = \"left\", velocity = 0";
+        let rests = scene_of("amplitude = 1, frequency = \"pi\", phase = 0", "gap = 3, restitution = 0.5", start);
         let lowest = |transient: u64| point(&rests, transient, 40).attraction.unwrap().limit.unwrap()[0];
         assert!(lowest(0) == f64::NEG_INFINITY && lowest(1).is_finite());
     }

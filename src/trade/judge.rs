@@ -200,13 +200,11 @@ pub(super) fn judge_float(
 mod tests {
     use super::*;
 
-    const SCENE: &str = "excitation = { amplitude = 8, frequency = \"pi\", phase = 0 }\n\
-                         pair = { gap = 9.42497, restitution = 0.5 }\n\
-                         start = { time = 0, wall = \"left\", velocity = -12.56636 }";
+    use crate::tests::scene;
 
     /// Floats and truths of the first impacts of figure 14.
     fn readings(impacts: u64) -> (Scales<Unit>, Vec<Reading>, Vec<Reading>) {
-        let scene = Scene::parse(SCENE).unwrap();
+        let scene = scene("figure-14");
         let requested = Settings { impacts: Some(impacts), ..scene.settings() };
         let read = |settings: Settings| {
             let mut orbit = Orbit::of(&scene, settings).unwrap();
@@ -244,8 +242,7 @@ mod tests {
     /// Of the chatter of scenes/chatter.toml the truth lists more impacts than the orbit in doubles does, which follows the same word.
     #[test]
     fn r44_after_a_complete_chatter_no_departure_is_reported() {
-        let path = format!("{}/scenes/chatter.toml", env!("CARGO_MANIFEST_DIR"));
-        let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let scene = scene("chatter");
         let requested = Settings { impacts: Some(60), ..scene.settings() };
         let judgement =
             judge_float(&scene, &requested, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();

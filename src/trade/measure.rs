@@ -216,10 +216,7 @@ mod tests {
 
     #[test]
     fn widths_are_those_of_the_enclosures() {
-        let scene = "excitation = { amplitude = 1, frequency = \"pi\", phase = 0 }\n\
-                     pair = { gap = \"3*pi\", restitution = 0.5 }\n\
-                     start = { time = 0, wall = \"left\", velocity = \"-4*pi\" }";
-        let scene = Scene::parse(scene).unwrap();
+        let scene = crate::tests::scene("figure-12-exact");
         let (requested, units) =
             (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
         let of = |arithmetic| measure(&scene, arithmetic, &requested, &units, &Unwatched).unwrap().unwrap();

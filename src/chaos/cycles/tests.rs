@@ -9,13 +9,11 @@ use super::word::WallChain;
 use super::*;
 use crate::chaos::guess::Guess;
 use crate::chaos::law::Side;
+use crate::tests::scene_of;
 use crate::watch::{Stage, Unwatched, proceed_if};
 
 fn scene(excitation: &str, pair: &str) -> Scene {
-    Scene::parse(&format!(
-        "excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ time = 0, wall = \"left\", velocity = -12.5 }}"
-    ))
-    .unwrap()
+    scene_of(excitation, pair, "time = 0, wall = \"left\", velocity = -12.5")
 }
 
 /// `A/d` and `e` of figures 14, 17 and 16.

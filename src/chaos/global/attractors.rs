@@ -102,10 +102,8 @@ fn is_apart([phases, speeds]: &Hull, [others, their_speeds]: &Hull) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Harmonic;
     use crate::chaos::global::known::is_motion_in_turn;
     use crate::chaos::trap::Grid;
-    use crate::exact::Exact;
 
     const GRID: Grid = Grid { columns: 64, rows: 16.0 };
 
@@ -116,9 +114,7 @@ mod tests {
     /// Beyond its pitchfork the equispaced motion (66)-(69) of `A/d = 0.45`, `e = 1/2` is a saddle; what is stable has two states of the reduced map,
     /// that of an orbit of two impacts and its mirror image.
     fn beyond_the_pitchfork() -> (ImpactPair, Law, Vec<State>) {
-        let exact = |text: &str| text.parse::<Exact>().unwrap();
-        let harmonic = Harmonic::new(exact("0.45"), exact("2*pi"), exact("0")).unwrap();
-        let pair = ImpactPair::new(harmonic, exact("1"), exact("0.5")).unwrap();
+        let pair = crate::tests::pair("0.45", "0.5");
         let law = Law::of(&pair).unwrap();
         // Other orbits settle at a rest.
         let cycle = settled_orbits(&law).into_iter().find(|states| states.iter().all(|[_, speed]| *speed > 0.1));

@@ -16,12 +16,9 @@ fn figure(number: u32) -> Scene {
         16 => ("10", "1", "0.8", "-0.1"),
         _ => ("10", "10", "0.8", "-1"),
     };
-    Scene::parse(&format!(
-        "excitation = {{ amplitude = {amplitude}, frequency = \"pi\", phase = 0 }}\n\
-         pair = {{ gap = {gap}, restitution = {restitution} }}\n\
-         start = {{ time = 0, wall = \"left\", velocity = {velocity} }}"
-    ))
-    .unwrap()
+    let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
+    let pair = format!("gap = {gap}, restitution = {restitution}");
+    crate::tests::scene_of(&excitation, &pair, &format!("time = 0, wall = \"left\", velocity = {velocity}"))
 }
 
 fn of(number: u32) -> (Scene, Trap, BoxGraph) {

@@ -153,11 +153,10 @@ mod tests {
     use super::super::krawczyk::Proved;
     use super::*;
     use crate::number::Ball;
-    use crate::pair::Wall;
     use crate::periodic::Chain;
     use crate::shaken::{Either, Shaken};
+    use crate::tests::{pair, pair_of, start};
     use crate::watch::proceed_if;
-    use crate::{Excitation, Harmonic, ImpactPair};
 
     fn is_physical(orbit: &PeriodicOrbit) -> bool {
         orbit.physical == Some(true)
@@ -166,7 +165,7 @@ mod tests {
     /// Without any orbit known at first the search comes upon the same motions as the guesses.
     #[test]
     fn the_search_alone_finds_what_the_guesses_find() {
-        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let start = start();
         for (word, cycles, ratio, restitution, count) in [
             ("LR", 3, "1/9.42497", "0.5", 8),
             ("LLR", 3, "1/9.42497", "0.5", 5),
@@ -177,9 +176,7 @@ mod tests {
             ("LRLRLR", 3, "0.498", "0.8", 8),
             ("LR", 2, "1/20", "1", 4),
         ] {
-            let harmonic = Harmonic::new(ratio.parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
-            let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
-            let problem = Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap();
+            let problem = problem(ratio, restitution, word, cycles);
             let precision = Precision::default();
             let guessed = problem.find(&start, precision).orbits;
             let Either::One(one) = &problem.shaken else { panic!("one harmonic") };
@@ -197,28 +194,19 @@ mod tests {
     }
 
     fn problem(ratio: &str, restitution: &str, word: &str, cycles: u32) -> Problem {
-        let harmonic = Harmonic::new(ratio.parse().unwrap(), "1".parse().unwrap(), "0".parse().unwrap()).unwrap();
-        let pair = ImpactPair::new(harmonic, "1".parse().unwrap(), restitution.parse().unwrap()).unwrap();
-        Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
+        Problem::new(&pair(ratio, restitution), &word.parse().unwrap(), cycles).unwrap()
     }
-
-    /// Amplitude, frequency and phase.
-    type Written = (&'static str, &'static str, &'static str);
 
     /// Two odd harmonics, two that are not, three, a hop of every length; lengths in gaps, the fastest harmonic has `W = 2 pi`.
     fn under_several() -> Vec<Problem> {
-        let questions: [(&[Written], &str, &str, u32); 4] = [
-            (&[("1/9.42497", "2*pi/3", "0"), ("0.5/9.42497", "2*pi", "0")], "0.5", "LR", 3),
-            (&[("0.1", "pi", "0.3"), ("1/10", "2*pi", "0")], "0.5", "LR", 2),
-            (&[("1/5", "4*pi/3", "0"), ("1/15", "2*pi/3", "1"), ("1/25", "2*pi", "0")], "0.6", "LR", 3),
-            (&[("1/100", "pi", "0"), ("2", "2*pi", "0.7")], "0.8", "RRLLLRRLLL", 2),
+        let questions: [(&[[&str; 3]], &str, &str, u32); 4] = [
+            (&[["1/9.42497", "2*pi/3", "0"], ["0.5/9.42497", "2*pi", "0"]], "0.5", "LR", 3),
+            (&[["0.1", "pi", "0.3"], ["1/10", "2*pi", "0"]], "0.5", "LR", 2),
+            (&[["1/5", "4*pi/3", "0"], ["1/15", "2*pi/3", "1"], ["1/25", "2*pi", "0"]], "0.6", "LR", 3),
+            (&[["1/100", "pi", "0"], ["2", "2*pi", "0.7"]], "0.8", "RRLLLRRLLL", 2),
         ];
-        let value = |text: &str| text.parse::<crate::exact::Exact>().unwrap();
-        let problem = |(terms, restitution, word, cycles): (&[Written], &str, &str, u32)| {
-            let term = |&(a, w, tau): &Written| Harmonic::new(value(a), value(w), value(tau)).unwrap();
-            let excitation = Excitation::new(terms.iter().map(term).collect()).unwrap();
-            let pair = ImpactPair::new(excitation, value("1"), value(restitution)).unwrap();
-            Problem::new(&pair, &word.parse().unwrap(), cycles).unwrap()
+        let problem = |(terms, restitution, word, cycles): (&[[&str; 3]], &str, &str, u32)| {
+            Problem::new(&pair_of(terms, "1", restitution), &word.parse().unwrap(), cycles).unwrap()
         };
         questions.map(problem).to_vec()
     }
@@ -244,7 +232,7 @@ mod tests {
 
     /// Number of admissible orbits that guesses lead to, each of which the chains are asserted to hold.
     fn held_by_chains<S: Chained>(problem: &Problem, shaken: &S) -> usize {
-        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let start = start();
         let (word, period) = (&problem.word, f64::from(problem.period()));
         let found = problem.find(&start, Precision::default()).orbits;
         for orbit in found.iter().filter(|orbit| is_physical(orbit)) {
@@ -319,7 +307,7 @@ mod tests {
     /// taken for the other.
     #[test]
     fn r32_an_orbit_proved_anew_is_compared_with_that_of_its_cell() {
-        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let start = start();
         let problem = problem("1/9.42497", "0.5", "LR", 1);
         let Either::One(one) = &problem.shaken else { panic!("one harmonic") };
         let all = problem.find(&start, Precision::default()).orbits;
@@ -355,7 +343,7 @@ mod tests {
     /// keeps what is proved.
     #[test]
     fn searches_repeat_and_may_be_ended() {
-        let start = Start::on_wall("0".parse().unwrap(), Wall::Left, "-1".parse().unwrap()).unwrap();
+        let start = start();
         let problem = problem("1/9.42497", "0.5", "LR", 3);
         let all = |budget, ends_at: usize| {
             let calls = AtomicUsize::new(0);
