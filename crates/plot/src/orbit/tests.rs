@@ -10,12 +10,8 @@ use impact_pair::pair::Wall;
 use super::curves::POINTS_PER_SEGMENT;
 use super::frame::{Frame, Panel};
 use super::recorder::{Recorder, end_of};
-use super::sheet::Sheet;
-use super::style::Style;
 use super::trace::{Kind, Part, Span, Trace};
-use plotters::coord::ranged1d::Ranged;
 
-use crate::picture::Look;
 use crate::tolerances::{DRAWN, DRAWN_END, DRAWN_PHASE};
 
 fn scene(name: &str) -> Scene {
@@ -81,54 +77,6 @@ fn curves_meet_the_walls_at_the_impacts_and_nowhere_else() {
     }
 }
 
-/// The commands of a path's data, each with its numbers.
-fn commands(data: &str) -> Vec<(char, Vec<f64>)> {
-    let command = |text: &str| {
-        let spaced = text[1..].replace('-', " -");
-        (text.chars().next().unwrap(), spaced.split_whitespace().map(|number| number.parse().unwrap()).collect())
-    };
-    data.replace(['M', 'l', 'c'], "\n")
-        .lines()
-        .skip(1)
-        .zip(data.matches(['M', 'l', 'c']))
-        .map(|(text, name)| command(&format!("{name}{text}")))
-        .collect()
-}
-
-/// Places along a path, `count` on each segment.
-fn along(data: &str, count: u32) -> Vec<Vec<(f64, f64)>> {
-    let (mut parts, mut at): (Vec<Vec<(f64, f64)>>, _) = (Vec::new(), (0.0, 0.0));
-    for (command, numbers) in commands(data) {
-        let ends: Vec<(f64, f64)> = numbers.chunks(2).map(|pair| (at.0 + pair[0], at.1 + pair[1])).collect();
-        let controls = match (command, &ends[..]) {
-            ('M', _) => {
-                at = (numbers[0], numbers[1]);
-                parts.push(vec![at]);
-                continue;
-            }
-            ('l', [end]) => [at, at, *end, *end],
-            ('c', [first, second, end]) => [at, *first, *second, *end],
-            _ => panic!("{command} {numbers:?}"),
-        };
-        let weigh = |t: f64| [(1.0 - t).powi(3), 3.0 * t * (1.0 - t).powi(2), 3.0 * t * t * (1.0 - t), t.powi(3)];
-        let places = (1..=count).map(|k| {
-            let pairs = weigh(f64::from(k) / f64::from(count)).into_iter().zip(controls);
-            pairs.fold((0.0, 0.0), |sum, (weight, place)| (sum.0 + weight * place.0, sum.1 + weight * place.1))
-        });
-        parts.last_mut().unwrap().extend(places);
-        at = controls[3];
-    }
-    parts
-}
-
-/// Distance of a place from the line segment between two others.
-fn distance((x, y): (f64, f64), (x0, y0): (f64, f64), (x1, y1): (f64, f64)) -> f64 {
-    let (u, v) = (x1 - x0, y1 - y0);
-    let length = u * u + v * v;
-    let part = if length > 0.0 { (((x - x0) * u + (y - y0) * v) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (x - x0 - part * u).hypot(y - y0 - part * v)
-}
-
 /// Hermite's bound for a twenty-fourth of a forcing period, in amplitudes.
 const HERMITE_BOUND: f64 = 1.3e-5;
 
@@ -192,79 +140,6 @@ fn bezier_segments_stay_within_hermites_bound_of_the_enclosed_flight() {
             }
         }
     }
-}
-
-#[test]
-fn drawn_curves_are_within_a_tenth_of_a_pixel_of_the_motion() {
-    let scene = scene("figure-17");
-    let (trace, _) = trace(&scene, &impacts(40), 8);
-    let style = Style { is_certified: true, transient: 0 };
-    let sheet = Sheet {
-        scene: &scene,
-        trace: &trace,
-        panels: vec![Panel::Displacement],
-        cycles: 8,
-        orbit_cycles: 8,
-        zoom: None,
-        style,
-        verdict: String::new(),
-        look: &Look::default(),
-    };
-    let svg = sheet.svg().unwrap();
-    let part = |text: &str, from: &str, to: &str| {
-        let text = &text[text.find(from).unwrap() + from.len()..];
-        text[..text.find(to).unwrap()].to_owned()
-    };
-    let clip: Vec<f64> = ["x=\"", "y=\"", "width=\"", "height=\""]
-        .map(|name| part(&part(&svg, "<clipPath", "/clipPath"), &format!(" {name}"), "\"").parse().unwrap())
-        .to_vec();
-    let edge = 3.0 * f64::from(crate::picture::SCALE);
-    let [time, height] = Frame::new(Panel::Displacement, &trace, 8).axes();
-    let pixel = |time_at: f64, y: f64| {
-        let x = clip[0] + edge + (clip[2] - 2.0 * edge) * time.part(time_at);
-        (x, clip[1] + clip[3] - edge - (clip[3] - 2.0 * edge) * height.part(y))
-    };
-    // All points recorded, four times as many as those that segments end at.
-    let flights: Vec<Vec<(f64, f64)>> = trace
-        .strokes
-        .iter()
-        .filter(|stroke| stroke.part == Part::Flight)
-        .map(|stroke| stroke.points.iter().map(|point| pixel(point.time.middle, point.displacement.middle)).collect())
-        .collect();
-    let drawn =
-        along(&part(&part(&svg, "stroke=\"#0072B2\" stroke-width=\"6\" stroke-opacity", "</g>"), " d=\"", "\""), 200);
-    assert_eq!(drawn.len(), flights.len());
-    let mut worst = 0.0f64;
-    for (points, curve) in flights.iter().zip(&drawn) {
-        for point in points {
-            let near = curve.windows(2).map(|pair| distance(*point, pair[0], pair[1])).fold(f64::MAX, f64::min);
-            worst = worst.max(near);
-        }
-    }
-    assert!(worst < 0.1 * f64::from(crate::picture::SCALE), "{worst} of the canvas");
-}
-
-#[test]
-fn the_transient_is_grey_and_what_is_magnified_is_close() {
-    let scene = scene("chatter");
-    let (trace, _) = trace(&scene, &impacts(40), 3);
-    let sheet = Sheet {
-        scene: &scene,
-        trace: &trace,
-        panels: vec![Panel::Displacement, Panel::SectionLeft],
-        cycles: 3,
-        orbit_cycles: 3,
-        zoom: Some([0.2, 0.4]),
-        style: Style { is_certified: true, transient: 5 },
-        verdict: String::new(),
-        look: &Look::default(),
-    };
-    let svg = sheet.svg().unwrap();
-    for words in ["#999999", "transient: the first 5 impacts", "magnified", "(a): 3 cycles; (g): "] {
-        assert!(svg.contains(words), "{words}");
-    }
-    let [time, height] = Frame::magnified(Panel::Displacement, &trace, [0.2, 0.4]).axes().map(|axis| axis.range());
-    assert!(time == (0.2..0.4) && height.end - height.start < 0.5, "{height:?}");
 }
 
 #[test]

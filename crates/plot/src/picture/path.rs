@@ -119,5 +119,13 @@ mod tests {
         path.line_to((30.04, 100.0));
         path.curve_to([(40.0, 100.0), (60.26, 80.0), (60.0, 50.5)]);
         assert_eq!(path.data(), "M0 100l30 0c10 0 30.3-20 30-49.5");
+        // Rounding does not add up along a path.
+        let mut path = Path::default();
+        path.move_to((0.0, 0.0));
+        (1..=1000).for_each(|k| path.line_to((f64::from(k) * 1.03, f64::from(k) * -0.97)));
+        let numbers = path.data().replace('-', " -").replace(['M', 'l'], " ");
+        let numbers: Vec<f64> = numbers.split_whitespace().map(|number| number.parse().unwrap()).collect();
+        let sum = |from: usize| numbers.iter().skip(from).step_by(2).sum::<f64>();
+        assert!((sum(0) - 1030.0).abs() < 0.1 && (sum(1) + 970.0).abs() < 0.1, "{} {}", sum(0), sum(1));
     }
 }
