@@ -331,23 +331,6 @@ fn a_verdict_may_be_written_to_a_file() {
     assert_eq!(document["message"], "disagreed: 1 impact");
 }
 
-/// Nobody waits for an orbit up to a time that is wrong by many powers of ten; chaos would take more and more bits, too.
-#[test]
-fn a_corrupted_time_is_not_followed_to() {
-    let list = format!("{LIST}1e9,left,1\n");
-    let document = judged(&list, &FIGURE_14, 1);
-    let events = document["events"].as_array().unwrap();
-    assert_eq!(
-        (&events[0]["verdict"], &events[events.len() - 1]["verdict"]),
-        (&"inside".into(), &"not-reached".into())
-    );
-    assert_eq!(document["counts"]["inside"], 8);
-    // A thousand beyond two a row; of those eight are there.
-    assert_eq!((&document["counts"]["missed"], &document["counts"]["not_reached"]), (&1011.into(), &1.into()));
-    let said = "disagreed: 1011 impacts; not followed beyond impact 1019: the list lacks more impacts than it has rows";
-    assert_eq!(document["message"], said);
-}
-
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_the_verdicts() {

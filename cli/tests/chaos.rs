@@ -42,85 +42,26 @@ snapshots! { FLOATING_POINT_EXPONENT;
     arguments_of_chaos: program(&["chaos", "--help"]);
 }
 
-/// Bounds hold what is known, and a key that was not requested is absent.
-#[test]
-fn a_hyperbolic_set_is_measured() {
-    let arguments = ["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--format", "json"];
-    let chaos = |more: &[&str]| -> Value {
-        let output = program(&[&arguments[..], more].concat()).output().unwrap();
-        assert!(output.status.success());
-        serde_json::from_slice(&output.stdout).unwrap()
-    };
-    let (plain, requested) = (chaos(&[]), chaos(&["--hyperbolic"]));
-    assert!(plain.get("hyperbolic").is_none() && requested["words"] == plain["words"]);
-    let set = &requested["hyperbolic"];
-    let bounds = |bounds: &Value| [0, 1].map(|end| bounds[end].as_str().unwrap().parse::<f64>().unwrap());
-    let [low, high] = bounds(&set["entropy"]["per_cycle"]);
-    assert!(low <= LN_2 && LN_2 <= high && set["words"] == serde_json::json!([0, 2, 3, 5]));
-    let ([low, high], [second_low, second_high]) =
-        (bounds(&set["exponents"]["per_impact"]), bounds(&set["second_exponent"]));
-    assert!((low + second_high + 2.0 * LN_2).abs() < 5e-3 && (high + second_low + 2.0 * LN_2).abs() < 5e-3);
-}
-
-/// The bases that a document lists lead to the same words again, and the picture is there.
+/// The bases that a document lists lead to the same words again.
 #[test]
 fn a_document_makes_itself_again() {
     let folder = folder("chaos");
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let chaos = |bases: &str, name: &str| {
-        let (output, plot) = (path(name), path("chaos.svg"));
-        let arguments = [
-            "chaos",
-            "scenes/figure-14.toml",
-            "--depth",
-            "3",
-            "--bases",
-            bases,
-            "--format",
-            "json",
-            "--output",
-            &output,
-            "--plot",
-            &plot,
-        ];
+        let output = path(name);
+        let asked = ["chaos", "scenes/figure-14.toml", "--depth", "3", "--bases", bases];
+        let arguments = [&asked[..], &["--format", "json", "--output", &output]].concat();
         assert!(program(&arguments).status().unwrap().success());
         fs::read_to_string(output).unwrap()
     };
     let first = chaos(BASES[1], "first.json");
     assert_eq!(first, chaos(&path("first.json"), "second.json"));
-    let drawn = fs::read_to_string(path("chaos.svg")).unwrap();
-    assert!(
-        drawn.contains("entropy at least 0.2811 per impact, 0.6931 per forcing period")
-            && drawn.contains("non-rigorous")
-    );
-    // Many points, few elements.
-    assert!(drawn.len() < 400_000 && drawn.lines().count() < 200);
     let document: Value = serde_json::from_str(&first).unwrap();
     assert_eq!(document["schema"], "impact-pair/chaos/1");
     let per_cycle: f64 = document["entropy"]["per_cycle"].as_str().unwrap().parse().unwrap();
     let least = LN_2 - 1e-6;
     assert!((least..=LN_2).contains(&per_cycle) && document["words"].as_array().unwrap().len() == 6);
     assert_eq!(document["words"][0]["impacts"], document["words"][0]["flights"].as_str().unwrap().len());
-    assert!(fs::read_to_string(path("chaos.svg")).unwrap().starts_with("<svg"));
-}
-
-#[test]
-fn a_region_is_written_and_drawn() {
-    let folder = folder("trap");
-    let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
-    let (output, plot) = (path("trap.json"), path("trap.svg"));
-    let arguments = ["trap", "scenes/figure-14.toml", "--format", "json", "--output", &output, "--plot", &plot];
-    assert!(program(&arguments).args(["--theme", "dark"]).status().unwrap().success());
-    let document: Value = serde_json::from_str(&fs::read_to_string(output).unwrap()).unwrap();
-    let runs = document["region"].as_array().unwrap();
-    let boxes: i64 = runs.iter().map(|run| run[2].as_i64().unwrap() - run[1].as_i64().unwrap() + 1).sum();
-    assert_eq!(document["boxes"].as_i64(), Some(boxes));
-    assert_eq!(document["entered_at_impact"].as_i64(), Some(2));
-    let drawn = fs::read_to_string(plot).unwrap();
-    assert!(drawn.starts_with("<svg") && drawn.contains("fill=\"#121212\"") && !drawn.contains("#FFFFFF"));
-    assert!(drawn.contains("a trapping region of 431 boxes; the scene's orbit is in it from impact 2"));
-    // The orbit lies within half a forcing period around phase 0.
-    assert!(drawn.contains(">−3π/4<") && !drawn.contains(">π/2<"));
 }
 
 /// Files that cannot be written are reported before anything is computed: these commands would take minutes.

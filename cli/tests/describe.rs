@@ -41,25 +41,6 @@ fn a_command_that_goes_on_is_one_that_works() {
     );
 }
 
-/// The orbit in a description proves its fate; a fate that is another one is refuted.
-#[test]
-fn a_description_is_checked_by_its_own_orbit() {
-    let path = folder("described").join("description.json").to_str().unwrap().to_owned();
-    let (document, code) = described(&["scenes/figure-13.toml"]);
-    assert_eq!((document["fate"]["kind"].as_str(), code), (Some("attracted"), Some(0)));
-    let says = |text: &str, words: &str| {
-        fs::write(&path, text).unwrap();
-        let said = String::from_utf8(program(&["check", &path]).output().unwrap().stdout).unwrap();
-        assert!(said.starts_with(words), "{said}");
-    };
-    let text = document.to_string();
-    says(&text, "confirmed, but not: exponent; confirmed are the fate: 32 events and the outcome");
-    says(&text.replace("\"from\":6", "\"from\":1"), "refuted: fate.");
-    says(&text.replacen("\"certified\":true", "\"certified\":false", 1), "refuted: certified");
-    let (undecided, _) = described(&["scenes/two-tones.toml", "--impacts", "20"]);
-    says(&undecided.to_string(), "undecided: there is nothing to check");
-}
-
 #[test]
 fn the_page_has_four_panels() {
     let folder = folder("description");

@@ -123,42 +123,49 @@ fn r35_numbers_that_are_none_say_what_is_accepted() {
     assert!(error_of(&["run", SCENE, "--precision", "30"]).contains("--digits D"));
 }
 
-/// Every option of every verb that takes a value reads a negative number as its own: the message names the option, the value and, where the
-/// value is a number, what is accepted.
+/// Every option of every verb that takes a number reads what stands in its place as its own: the message names the option, the value and
+/// what is accepted; also a negative number, which looks like an option.
 #[test]
-fn r35_negative_numbers_are_values_of_their_options() {
-    let assert_refusal = |arguments: &[&str], option: &str, accepted: &str| {
-        let error_of = error_of(arguments);
-        assert!(
-            error_of.contains(&format!("invalid value '-5' for '{option}")) && error_of.contains(accepted),
-            "{error_of}"
-        );
-    };
+fn i58_numbers_say_what_is_accepted() {
     for (verb, option, accepted) in [
-        ("run", "--impacts", "accepted is a whole number, 0 or greater"),
-        ("run", "--digits", "accepted is a whole number from 1 to 400"),
-        ("run", "--splice", "accepted is a whole number, 0 or greater"),
-        ("run", "--max-bits", "accepted is a whole number from 64 to 10000000"),
-        ("describe", "--impacts", "accepted is a whole number from 1 to 100000000"),
-        ("describe", "--depth", "accepted is a whole number from 1 to 64"),
-        ("periodic", "--cycles", "accepted is a whole number from 1 to 1000000"),
-        ("bifurcations", "--doublings", "accepted is a whole number from 0 to 8"),
-        ("trap", "--finer", "accepted is a whole number from 0 to 6"),
-        ("chaos", "--depth", "accepted is a whole number from 1 to 64"),
-        ("chaos", "--halvings", "accepted is a whole number from 0 to 24"),
-        ("cycles", "--impacts", "accepted is an integer from 1 to 64"),
-        ("sweep", "--transient", "accepted is a whole number from 0 to "),
-        ("trade", "--impacts", "accepted is a whole number, 1 or greater"),
-        ("two-impact", "--cycles", "accepted is an integer from 1 to "),
-        ("plot", "--cycles", "accepted is a whole number from 1 to 10000"),
-        ("check", "--effort", "accepted is a whole number, 1 or greater"),
-        ("prove", "--impacts", "accepted is a whole number, 1 or greater"),
-        ("audit", "--tolerance", "-5"),
+        ("run", "--impacts", "a whole number, 0 or greater"),
+        ("run", "--digits", "a whole number from 1 to 400"),
+        ("run", "--splice", "a whole number, 0 or greater"),
+        ("run", "--max-bits", "a whole number from 64 to 10000000"),
+        ("describe", "--impacts", "a whole number from 1 to 100000000"),
+        ("describe", "--depth", "a whole number from 1 to 64"),
+        ("periodic", "--cycles", "a whole number from 1 to 1000000"),
+        ("bifurcations", "--doublings", "a whole number from 0 to 8"),
+        ("trap", "--finer", "a whole number from 0 to 6"),
+        ("trap", "--words", "a whole number from 1 to 1000"),
+        ("chaos", "--depth", "a whole number from 1 to 64"),
+        ("chaos", "--halvings", "a whole number from 0 to 24"),
+        ("global", "--boxes", "a whole number from 8 to 20"),
+        ("atlas", "--halvings", "a whole number from 0 to 40"),
+        ("cycles", "--impacts", "an integer from 1 to 64"),
+        ("sweep", "--transient", "a whole number from 0 to "),
+        ("sweep", "--threads", "a whole number from 1 to 4096"),
+        ("trade", "--impacts", "a whole number, 1 or greater"),
+        ("two-impact", "--cycles", "an integer from 1 to "),
+        ("plot", "--cycles", "a whole number from 1 to 10000"),
+        ("plot", "--orbit-cycles", "a whole number from 1 to 10000"),
+        ("plot", "--transient", "a whole number from 0 to 4294967295"),
+        ("plot", "--splice", "a whole number, 0 or greater"),
+        ("check", "--effort", "a whole number, 1 or greater"),
+        ("prove", "--impacts", "a whole number, 1 or greater"),
     ] {
-        assert_refusal(&[verb, SCENE, option, "-5"], option, accepted);
+        for value in ["-5", "", "x", "1.5", "99999999999999999999999"] {
+            let message = error_of(&[verb, SCENE, option, value]);
+            let refused = format!("invalid value '{value}' for '{option}");
+            let is_missing = value.is_empty() && message.contains(&format!("a value is required for '{option}"));
+            assert!(message.contains(&refused) || is_missing, "{message}");
+            assert!(is_missing || message.contains(&format!("accepted is {accepted}")), "{message}");
+        }
     }
+    assert!(error_of(&["audit", SCENE, "--tolerance", "-5"]).contains("invalid value '-5' for '--tolerance"));
     assert!(error_of(&["cycles", SCENE, "--impacts", "-1..3"]).contains("accepted is an integer from 1 to 64"));
     assert!(error_of(&["run", SCENE, "-5"]).contains("unexpected argument '-5'"), "an option that does not exist");
+    assert!(error_of(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
 }
 
 #[test]
@@ -170,33 +177,6 @@ fn r35_a_missing_table_names_its_line() {
         error_of.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
         "{error_of}"
     );
-}
-
-/// Every number says what is accepted, whatever stands in its place.
-#[test]
-fn i58_numbers_say_what_is_accepted() {
-    for (verb, option, accepted) in [
-        ("run", "--max-bits", " from 64 to 10000000"),
-        ("periodic", "--cycles", " from 1 to 1000000"),
-        ("bifurcations", "--doublings", " from 0 to 8"),
-        ("plot", "--orbit-cycles", " from 1 to 10000"),
-        ("plot", "--transient", " from 0 to 4294967295"),
-        ("plot", "--splice", ", 0 or greater"),
-        ("trap", "--words", " from 1 to 1000"),
-        ("chaos", "--halvings", " from 0 to 24"),
-        ("global", "--boxes", " from 8 to 20"),
-        ("atlas", "--halvings", " from 0 to 40"),
-        ("sweep", "--threads", " from 1 to 4096"),
-    ] {
-        for value in ["", "x", "1.5", "99999999999999999999999"] {
-            let message = error_of(&[verb, SCENE, option, value]);
-            let refused = format!("invalid value '{value}' for '{option}");
-            let is_missing = value.is_empty() && message.contains(&format!("a value is required for '{option}"));
-            assert!(message.contains(&refused) || is_missing, "{message}");
-            assert!(is_missing || message.contains(&format!("accepted is a whole number{accepted}")), "{message}");
-        }
-    }
-    assert!(error_of(&["run", SCENE, "--max-bits", "1e5"]).contains("did you mean 100000?"));
 }
 
 /// The message of a long value, or of one of several lines, is one line with its beginning.

@@ -72,56 +72,6 @@ fn what_doubles_do_not_resolve_is_not_drawn() {
 }
 
 #[test]
-fn a_sheet_has_all_panels_and_the_same_bytes_each_time() {
-    let folder = folder("plot-sheet");
-    let drawn = |name: &str| {
-        let picture = folder.join(name);
-        let arguments = ["scenes/figure-13.toml", "--all", "--impacts", "60", "--quiet", "--output"];
-        let answer = plot(&arguments).arg(&picture).output().unwrap();
-        assert!(answer.status.success() && answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
-        fs::read_to_string(picture).unwrap()
-    };
-    let svg = drawn("a.svg");
-    assert_eq!(svg, drawn("b.svg"));
-    let shown = [
-        "(a) ",
-        "(b) ",
-        "(c) ",
-        "(d) ",
-        "(e) ",
-        "(f) ",
-        "(g) ",
-        "(h) ",
-        "A = 2, Ω = π",
-        "certified: 60 impacts",
-        "impact-pair\u{a0}",
-        "d/2",
-        "Ωt + τ mod 2π [rad]",
-        "3π/2",
-        "impact on the right wall, Σ+",
-        "(a), (b): 8 cycles; (c), (d): 29.9 cycles; (e)–(h): 60 impacts",
-    ];
-    let written = common::words(&svg);
-    for words in shown {
-        assert!(written.contains(words), "{words}");
-    }
-    assert!(svg.starts_with("<svg width=\"1120\"") && svg.ends_with("</svg>\n") && svg.len() < 500_000);
-}
-
-#[test]
-fn unproved_parts_are_stated_and_drawn() {
-    let folder = folder("plot-open");
-    let picture = folder.join("a.svg");
-    let arguments = ["scenes/figure-14.toml", "--panel", "a", "--cycles", "50", "--arithmetic", "interval", "--output"];
-    let answer = plot(&arguments).arg(&picture).output().unwrap();
-    assert_eq!(answer.status.code(), Some(1));
-    let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.starts_with("undecided after impact ") && answer.stdout.is_empty(), "{said}");
-    let svg = fs::read_to_string(&picture).unwrap();
-    assert!(svg.contains("undecided after impact ") && svg.contains("nothing is proved from here on"));
-}
-
-#[test]
 fn motions_without_impacts_are_drawn() {
     let folder = folder("plot-still");
     let still = "excitation = { amplitude = 0, frequency = 1, phase = 0 }\npair = { gap = 1, restitution = 0.5 }\n";

@@ -100,16 +100,6 @@ fn a_build_without_the_textbooks_method_says_so() {
 }
 
 #[test]
-fn figure_14_ends_where_the_set_is_too_wide() {
-    let answer = run(&["scenes/figure-14.toml", "--impacts", "200", "--arithmetic", "interval"]).output().unwrap();
-    let text = String::from_utf8(answer.stdout).unwrap();
-    let last = text.lines().last().unwrap();
-    assert_eq!(answer.status.code(), Some(1));
-    assert!(last.starts_with("undecided after impact ") && last.contains("too wide to decide"), "{last}");
-    assert!(last.ends_with(" is the first one wider than 9 digits; try --arithmetic auto"), "{last}");
-}
-
-#[test]
 fn every_scene_of_the_repository_is_certified() {
     let scenes = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes")).unwrap();
     let mut count = 0;
@@ -141,38 +131,6 @@ fn completions_exist_for_every_shell() {
         let knows_values = !matches!(shell, "elvish" | "powershell");
         assert!(!knows_values || script.contains("jsonl"), "{shell}");
     }
-}
-
-#[test]
-fn the_version_names_arithmetics_and_cpu_features() {
-    let answer = program(&["--version"]).output().unwrap();
-    let text = String::from_utf8(answer.stdout).unwrap();
-    assert!(text.starts_with(concat!("impact-pair ", env!("CARGO_PKG_VERSION"), "\n")));
-    assert!(text.contains("arithmetics: auto, float, interval") && text.contains("fma "));
-}
-
-/// A stable orbit of 20 impacts was recognised or not, by the requested number of impacts.
-#[test]
-fn r35_an_orbit_that_attracts_is_recognised_wherever_the_list_ends() {
-    for impacts in [22, 45, 60, 77, 100] {
-        let done = run(&["scenes/figure-14-sink.toml", "--impacts", &impacts.to_string()]).output().unwrap();
-        let said = String::from_utf8(done.stdout).unwrap();
-        let last = said.lines().next_back().unwrap();
-        assert!(
-            last.contains("proved to converge to a stable orbit of 20 impacts every 8 cycles"),
-            "{impacts}: {last}"
-        );
-    }
-}
-
-/// The help says which periodic orbits are looked for.
-#[test]
-fn r35_the_help_says_which_orbits_are_looked_for() {
-    let said = String::from_utf8(run(&["--help"]).output().unwrap().stdout).unwrap();
-    assert!(
-        said.split_whitespace().collect::<Vec<_>>().join(" ").contains("periodic orbit: one with at most 128 impacts"),
-        "{said}"
-    );
 }
 
 #[test]
@@ -262,6 +220,9 @@ fn r62_advice_leads_further() {
     ] {
         let before = last(scene, arguments);
         assert!(before.ends_with(&format!("; {advice}")), "{arguments}: {before}");
+        let is_interval = scene == &chaos && arguments.ends_with("interval");
+        let wide = "too wide to decide (right wall";
+        assert!(!is_interval || before.starts_with("undecided after impact ") && before.contains(wide), "{before}");
         for (scene, arguments) in better {
             let after = last(scene, arguments);
             assert!(reached(&after) > reached(&before), "{before}\n{arguments}: {after}");

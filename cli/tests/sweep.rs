@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::common::{files, folder, verb};
+use crate::common::{crc, files, folder, verb};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
@@ -100,12 +100,6 @@ fn shards_put_together_are_the_whole() {
     }
     assert!(with(text[..text.len() / 2].to_owned()).contains("is not the record of a point"));
     assert!(with("nothing".into()).contains("line 1 is no head"));
-}
-
-/// CRC-32 bit by bit, as IEEE 802.3 has it.
-fn crc(bytes: &[u8]) -> u32 {
-    let shift = |crc: u32, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 };
-    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), shift))
 }
 
 #[test]

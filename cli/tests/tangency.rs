@@ -28,22 +28,11 @@ snapshots! { UNCERTAIN;
     a_family_of_tangencies: program(&[&FAMILY[..], &WORD[..]].concat());
 }
 
-/// Proved, drawn, and checked again; perturbed documents are not confirmed.
 #[test]
-fn a_tangency_of_figure_14_is_checked() {
-    let folder = folder("tangency");
-    let [path, picture] = ["tangency.json", "tangency.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());
-    let more = ["--digits", "30", "--output", &path, "--plot", &picture, "--quiet"];
-    assert!(run_with(&[&WORD[..], &more[..]].concat()).status().unwrap().success());
-    let text = fs::read_to_string(&path).unwrap();
+fn a_tangency_of_figure_14_is_drawn() {
+    let picture = folder("tangency").join("tangency.svg").to_str().unwrap().to_owned();
+    assert!(run_with(&[&WORD[..], &["--plot", &picture, "--quiet"]].concat()).status().unwrap().success());
     assert!(fs::read_to_string(&picture).unwrap().contains("a homoclinic tangency"));
-    let says = |text: &str| {
-        fs::write(&path, text).unwrap();
-        String::from_utf8(program(&["check", &path]).output().unwrap().stdout).unwrap()
-    };
-    assert!(says(&text).starts_with("confirmed: 1 homoclinic tangency"));
-    let perturbed = text.replace("9.42512637688720494843198", "9.42512637688720494843199");
-    assert!(perturbed != text && !says(&perturbed).starts_with("confirmed"));
 }
 
 /// Without --over the gaps next to that of the scene are searched.

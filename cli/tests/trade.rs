@@ -22,15 +22,6 @@ const MEASURED: [(&str, &str); 4] = [
     (r"impact \d+\)", "impact ..)"),
 ];
 
-#[test]
-fn the_help_names_each_arithmetic_of_the_rows() {
-    let help = String::from_utf8(trade(&["--help"]).output().unwrap().stdout).unwrap();
-    let rows = help.split_once("The rows: ").unwrap().1.split_once("\n\n").unwrap().0;
-    for arithmetic in ["float", "interval", "inari", "shadow", "bits", "auto"] {
-        assert!(rows.contains(arithmetic), "{arithmetic}: {rows}");
-    }
-}
-
 #[cfg(all(feature = "inari", target_feature = "fma"))]
 #[test]
 fn the_table() {

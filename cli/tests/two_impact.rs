@@ -98,32 +98,6 @@ fn manifolds() {
 }
 
 #[test]
-fn a_picture_has_all_curves_and_kinds() {
-    let picture = folder("two-impact-picture").join("figure-10.svg");
-    let arguments =
-        ["scenes/figure-10.toml", "--manifold", "frequency=1..60:200", "--cycles", "1..7", "--inset", "7..21:0..0.8"];
-    let answer = two_impact(&arguments).arg("--plot").arg(&picture).output().unwrap();
-    assert!(answer.status.success(), "{answer:?}");
-    let svg = common::words(&fs::read_to_string(picture).unwrap());
-    let texts = [
-        "N = 1",
-        "N = 3",
-        "N = 5",
-        "N = 7",
-        "d/2",
-        "amplitude AN",
-        "admissible and stable",
-        "a wall is touched earlier",
-        "width=\"900\"",
-    ];
-    assert!(texts.iter().all(|text| svg.contains(text)));
-    // The plot and its inset.
-    assert_eq!(svg.matches("<clipPath").count(), 2);
-    // Stable parts, unstable and unphysical ones.
-    assert!(["#0072B2", "#D55E00", "#999999"].iter().all(|colour| svg.contains(colour)));
-}
-
-#[test]
 fn the_command_line() {
     assert_cmd_snapshot!("arguments_of_two_impact", two_impact(&["--help"]));
     let scene = "scenes/figure-10.toml";

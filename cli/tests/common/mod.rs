@@ -75,6 +75,12 @@ pub fn words(svg: &str) -> String {
     parts.concat()
 }
 
+/// CRC-32 bit by bit, as IEEE 802.3 has it.
+pub fn crc(bytes: &[u8]) -> u32 {
+    let shift = |crc: u32, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), shift))
+}
+
 /// The names of what is in a folder, in order.
 pub fn files(folder: &Path) -> Vec<String> {
     let file = |file: io::Result<fs::DirEntry>| file.unwrap().file_name().into_string().unwrap();

@@ -160,7 +160,7 @@ const INTERVAL: &str = include_str!("documents/tangency-interval.jsonl");
 
 /// Two common points for each gap of one range, none for each of the other, all in the boxes that are listed (Lemma V31).
 #[test]
-#[ignore = "deep: boxes of a range of gaps; by default a_tangency_of_figure_14_is_checked"]
+#[ignore = "deep: boxes of a range of gaps; by default a_tangency_of_figure_14_is_drawn"]
 fn common_points_beside_a_tangency_are_counted() {
     let verdict = in_boxes(COUNTED, &[]);
     assert!(matches!(verdict, Verdict::Confirmed { .. }), "{verdict:?}");
