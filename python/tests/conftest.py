@@ -28,17 +28,20 @@ def program():
 class Cli:
     """Runs the command line on scenes of the repository."""
 
-    def text(self, *arguments, code=(0, 1), stdin=None):
+    def answer(self, *arguments, stdin=None):
         command = [program(), *map(str, arguments)]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, input=stdin, check=False)
-        assert done.returncode in code, done.stderr
+        return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, input=stdin, check=False)
+
+    def text(self, *arguments, stdin=None):
+        done = self.answer(*arguments, stdin=stdin)
+        assert done.returncode in (0, 1), done.stderr
         return done.stdout
 
     def json(self, *arguments, **how):
         return json.loads(self.text(*arguments, "--format", "json", **how))
 
     def error(self, *arguments):
-        done = subprocess.run([program(), *map(str, arguments)], capture_output=True, text=True, cwd=ROOT, check=False)
+        done = self.answer(*arguments)
         assert done.returncode == 2
         return done.stderr
 

@@ -52,11 +52,14 @@ def test_r35_cells_are_around_their_values(starts):
     kinds = [round(float(record["period"]["first"]["phase"][0]), 2) for record in starts]
     numbers = mesh.get_array().reshape(7, 9).T.ravel()
     assert len({*zip(kinds, numbers, strict=True)}) == 2
+    for values in ("outcome", "exponent"):
+        assert plots.basins(starts, values=values).collections[0].get_array().shape == (7, 9)
 
 
 def test_r35_diagrams_are_coloured_by_proof():
     found = Scene.named("cascade").sweep({"amplitude": ("0.3", "0.9", 7)}, transient=100, impacts=5)
     ax = plots.diagram(found)
+    assert ax.get_xlabel() == "amplitude of the box A [length]"
     assert labels(ax) == ["undecided convergence", "proved to converge to a periodic orbit"]
     drawn = sum(len(line.get_xdata()) for line in ax.lines[:2])
     assert drawn == len(found.states["point"])
@@ -67,6 +70,7 @@ def test_r35_diagrams_are_coloured_by_proof():
 def test_r35_manifolds_have_a_legend_and_an_inset():
     found = Scene.named("figure-10").manifold({"frequency": (1, 60, 30)}, (1, 3), picture=True)
     ax = plots.manifold(found, inset=((5, 10), (0, 2)))
+    assert ax.get_ylabel() == "amplitude $A_N$ [length]"
     *named, slopes = labels(ax)
     assert named == [
         "admissible and stable",

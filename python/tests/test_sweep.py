@@ -108,7 +108,7 @@ def test_states_that_are_no_table_are_refused(tmp_path, path, states, said):
     assert not list(folder.iterdir())
 
 
-@pytest.mark.parametrize("workers", [1, 2, 3])
+@pytest.mark.parametrize("workers", [1, 3])
 def test_by_processes(files, tmp_path, workers):
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
         found = Scene.named("figure-14").sweep(OVER, **ASKED, executor=executor, seconds=0.05)

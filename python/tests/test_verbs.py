@@ -5,7 +5,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import ROOT, SCENES, assert_rounded_outward
+from conftest import ROOT, assert_rounded_outward
 
 import impact_pair
 from impact_pair import Scene
@@ -237,6 +237,8 @@ def test_r35_columns_that_are_not_read_are_named():
     assert found.agreed
     assert found.unused_columns == ["puck_speed"]
     assert "not read: puck_speed" in found.message
+    # The options of the command line are none of Python.
+    assert "--" not in found.message
     assert not scene.audit({**listed, "v_minus": -orbit.v}).agreed
 
 
@@ -261,7 +263,9 @@ def test_check_and_prove(cli, tmp_path):
     assert "events[9].time" in {claim.path for claim in verdict.claims}
     assert verdict.unjudged == ["arithmetic", "program"]
     theorem = orbit.prove(3)
-    assert (theorem.impacts, theorem.stop) == (3, None)
+    assert (theorem.impacts, theorem.stop, theorem.left_out) == (3, None, None)
+    whole = Scene.named("figure-12").run(impacts=20).prove()
+    assert (whole.stop, whole.left_out) == (None, "the outcome `attracted`")
     assert theorem.text == cli.text("prove", tmp_path / "orbit.json", "--impacts", 3)
     with pytest.raises(impact_pair.CertificateError):
         impact_pair.check("{}")
@@ -346,21 +350,8 @@ def test_pictures_by_matplotlib():
     ax = plots.displacement(orbit, cycles=2)
     [curve] = [line for line in ax.lines if len(line.get_xdata()) > 10]
     assert np.allclose(curve.get_ydata(), orbit(curve.get_xdata()).y, equal_nan=True)
-    section = plots.section_left(orbit)
-    assert len(section.lines[0].get_xdata()) == (orbit.sides < 0).sum()
     assert plots.figure(12, impacts=50).size == 8
-    assert plots.manifold(Scene.named("figure-10").manifold({"frequency": (5, 60, 20)})).get_ylabel() == "amplitude $A_N$ [length]"
-    one = Scene.named("figure-14").sweep({"amplitude": (1, 3, 5)}, transient=20, impacts=10)
-    assert plots.diagram(one).get_xlabel() == "amplitude of the box A [length]"
-    two = Scene.named("cascade").sweep({"start.time": (0, 2, 3), "start.velocity": (-6, 0, 4)}, transient=20, impacts=10)
-    for values in ("outcome", "exponent", "word"):
-        assert plots.basins(two, values=values).collections[0].get_array().shape == (4, 3)
     plt.close("all")
-
-
-def test_the_scenes_are_those_of_the_repository():
-    assert SCENES == ROOT / "scenes"
-    assert json.loads(Scene.named("figure-14").run(impacts=1).json())["scene"]["gap"] == "9.42497"
 
 
 def test_r41_shares_are_rounded_as_they_are_proved():
