@@ -286,10 +286,10 @@ mod tests {
         })
     }
 
-    /// Eight times the cases of the environment or the default.
+    /// Four times the cases of the environment or the default.
     fn config() -> ProptestConfig {
         let default = ProptestConfig::default();
-        ProptestConfig { cases: 8 * default.cases, failure_persistence: None, ..default }
+        ProptestConfig { cases: 4 * default.cases, failure_persistence: None, ..default }
     }
 
     proptest! {

@@ -476,8 +476,9 @@ fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
 /// A component that splits into a centre and a ring around it has one cycle, that of the centre. Lemma A8 (place)
 #[test]
 fn r62_one_periodic_motion_is_one_component() {
+    let few = GlobalSettings { most: 20_000, ..GlobalSettings::default() };
     for (ratio, restitution) in [("0.425", "0.1"), ("0.765329", "0.4095")] {
-        let found = global(ratio, restitution);
+        let found = Global::of(&pair(ratio, restitution), &few, &Unwatched).unwrap();
         let orbits: Vec<_> = found.components.iter().filter_map(|component| component.kind.limit()).collect();
         let first = |orbit: &PeriodicOrbit| {
             orbit.impacts.iter().map(|impact| impact.velocity.mid_rad().0.abs()).fold(0.0, f64::max)
