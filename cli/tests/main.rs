@@ -8,6 +8,7 @@ mod chaos;
 mod common;
 mod cycles;
 mod describe;
+mod documents;
 mod endings;
 mod global;
 mod help;

@@ -88,9 +88,8 @@ PARTS = [
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
-          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && PROPTEST_CASES=100000 {TEST} --test library corrupted::"
-          f" && PROPTEST_CASES=100000 {TEST} --test recorded claimed::"
-          f" && FORGER_FOLDER=$PWD/target/forged FORGER_CASES=all {TEST} --test library forger::", ("program",)),
+          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && CORPUS_CASES=${{CORPUS_CASES:-40}} {TEST} --test library corpus::"
+          f" && PROPTEST_CASES=100000 CORPUS_CASES=all {TEST} --test recorded", ("program",)),
     # After the tests it is the other examples that are left to build.
     cargo("lints", f"cargo build {ALL} {TARGETS}" if LINTED else f"{LINT} {TARGETS} -- -D warnings",
           f"{LINT} --all-targets -- -D warnings && {LINT} --all-targets --features png,pdf,parquet -- -D warnings"
@@ -109,8 +108,8 @@ PARTS = [
     Part("manual", f"{MANUAL} && validation/scripts/transcripts", f"{MANUAL} && validation/scripts/transcripts --full", ("program", "python")),
     *map(by_program, ["arb", "closed_forms", "references", "certificates"]),
     by_program("coq")._replace(after=("program", "library")),
-    by_program("coq/verified", "validation/coq")._replace(
-        name="verified", full="validation/coq/verified/run --forged target/forged --report $REPORT", after=("program", "library", "tests")),
+    # The corpus of documents is written by the tests.
+    by_program("coq/verified", "validation/coq", "tests/corpus", "crates/certificate/tests")._replace(name="verified", after=("program", "library", "tests")),
     by_program("paper", "docs"),
     by_program("audits", "validation/references"),
     Part("data", *2 * ('"$(validation/scripts/environment)" data/make --check && "$(validation/scripts/environment)" -m unittest discover -s data',),

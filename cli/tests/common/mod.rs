@@ -44,11 +44,16 @@ pub fn program(arguments: &[&str]) -> Command {
 
 /// The output of `run` for a scene on stdin.
 pub fn answer_to(scene: &str, arguments: &[&str]) -> Output {
+    answer_of(scene, &[&["run", "-"], arguments].concat())
+}
+
+/// The output of the program with these arguments, for a text on stdin.
+pub fn answer_of(text: &str, arguments: &[&str]) -> Output {
     use std::io::Write;
-    let mut command = run(&["-"]);
-    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut command = program(arguments);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
-    child.stdin.take().expect("a pipe").write_all(scene.as_bytes()).expect("the program reads");
+    child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("the program reads");
     child.wait_with_output().expect("the program ends")
 }
 

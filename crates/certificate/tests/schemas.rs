@@ -1,6 +1,7 @@
 //! The JSON Schemas: all their properties, and values that fit.
 
 use std::fs;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
 
@@ -11,16 +12,14 @@ pub enum Step {
     Item,
 }
 
-/// The names of all schemas.
-pub fn names() -> Vec<String> {
-    let files = fs::read_dir(format!("{}/../../docs/schemas", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let name = |file: fs::DirEntry| file.file_name().into_string().unwrap().trim_end_matches(".json").to_owned();
-    files.map(|file| name(file.unwrap())).collect()
+/// The folder of the schemas, from the folder of whichever package reads them.
+pub fn folder() -> PathBuf {
+    let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|folder| folder.join("docs/schemas"));
+    folders.into_iter().find(|folder| folder.is_dir()).expect("the folder of the schemas")
 }
 
 pub fn read(name: &str) -> Value {
-    let path = format!("{}/../../docs/schemas/{name}.json", env!("CARGO_MANIFEST_DIR"));
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+    serde_json::from_str(&fs::read_to_string(folder().join(format!("{name}.json"))).unwrap()).unwrap()
 }
 
 /// A schema with its reference resolved, and the schemas that it is made of.

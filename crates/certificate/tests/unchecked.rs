@@ -9,9 +9,9 @@ use crate::recorded;
 
 /// The check of a recorded document that a change has made another one.
 fn checked(name: &str, change: impl Fn(&mut Value)) -> CheckDocument {
-    let (_, mut lines) = recorded::all().into_iter().find(|(own, _)| own == name).expect("a recorded document");
+    let mut lines = recorded::document(name);
     change(&mut lines[0]);
-    let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+    let text = recorded::text(&lines);
     let claims = Claims::parse(&text).unwrap();
     let judged = claims.judge(&Effort::default(), &Unwatched).unwrap();
     assert!(matches!(judged.verdict, Verdict::Confirmed { .. }), "{name}: {:?}", judged.verdict);
@@ -53,20 +53,18 @@ fn settings_are_no_claims() {
     assert_eq!(cycles.unchecked_claims, ["exhaustive", "fixed_points", "no_attractor"]);
 }
 
-/// The theorem in words stands beside a confirmation alone.
+/// Of a document of subintervals only keys that it has are named, and what the verdict `attracted` is about is not.
 #[test]
-fn a_confirmation_is_a_theorem() {
-    // The others take the check seconds.
-    let slow = ["chaos", "cells", "tangency", "atlas"];
-    for (name, lines) in recorded::all().into_iter().filter(|(name, _)| !slow.iter().any(|slow| name.contains(slow))) {
-        let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
-        let claims = Claims::parse(&text).unwrap();
-        let confirmed = claims.judge(&Effort::default(), &Unwatched).unwrap();
-        let found = claims.document(&text, &confirmed);
-        assert_eq!(
-            found.theorem.is_some_and(|theorem| !theorem.is_empty()),
-            found.message.starts_with("confirmed"),
-            "{name}"
-        );
+fn r47_cells_name_what_they_have_and_do_not_use() {
+    let document = recorded::document("cells").remove(0);
+    assert_eq!(document["stretches"][0]["verdict"], "attracted");
+    let unjudged = |document: &Value| Claims::parse(&document.to_string()).unwrap().unjudged();
+    assert_eq!(unjudged(&document), ["cells", "depth", "halvings", "program", "scene.excitation.amplitude"]);
+    let mut stable = document.clone();
+    stable["stretches"][0]["verdict"] = json!("stable");
+    stable["interrupted"] = json!(true);
+    let named = unjudged(&stable);
+    for key in ["interrupted", "scene.start", "scene.excitation.phase", "scene.excitation.frequency"] {
+        assert!(named.iter().any(|own| own == key), "{key}: {named:?}");
     }
 }

@@ -463,7 +463,7 @@ fn a_cycle_with_rests_of_an_unknown_period() {
 /// part of its entropy that is proved depends on the h-sets that are found: more than half with words of eight impacts, less with words
 /// of six. All else that is proved of the component stays as it is.
 #[test]
-#[ignore = "deep: words of eight impacts; by default r47_which_component_holds_a_horseshoe_is_not_checked"]
+#[ignore = "deep: words of eight impacts; by default recorded_documents_are_confirmed"]
 fn a13_the_closed_component_of_figure_14_holds_a_horseshoe() {
     let settings = GlobalSettings { boxes: 1 << 12, most: 20_000, horseshoes: Some(8), ..GlobalSettings::default() };
     let found = Global::of(&pair("8/9.42497", "0.5"), &settings, &Unwatched).unwrap();

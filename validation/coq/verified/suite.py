@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Has impact-pair-verified judge documents of `impact-pair run`, `periodic`, `trap` and `chaos`: right ones, corrupted ones, and texts that are none.
 
-Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--forged DIR] [--report DIR] [--quick]
+Run: suite.py --program IMPACT_PAIR --verified PROGRAM [--report DIR] [--quick]
 
 Nothing that `impact-pair check` refutes may be verified; Coq's own evaluator must give the same answers on the same inputs.
 """
@@ -16,11 +16,7 @@ from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
-import corrupted
-import corrupted_orbits
-import corrupted_regions
-import corrupted_words
-import forged
+import corpus
 import scenes
 import texts
 
@@ -42,22 +38,17 @@ COVERED = ("impacts-reached", "time-reached")
 # Two harmonics with a common period, the faster one last, and a motion that repeats.
 COMMON = 'excitation = { amplitude = [2, 0.4], frequency = ["pi", "3*pi"], phase = [0, 1] }\npair = { gap = 3, restitution = 0 }\n' \
          'start = { time = 0, wall = "left", velocity = -1 }'
-# Periodic orbits: scene, word, cycles. And motions that one attracts, of which corrupted copies are made as well.
+# Periodic orbits: scene, word, cycles.
 PERIODIC = [("figure-12", "P2 P1", 1), ("figure-15", "P1 P3 P2 P4 P4", 1), ("figure-15", "P1 P3 P2 P4 P4 P1 P3 P2 P4 P4", 2), ("even-cycles", "P2 P1", 2)]
-ATTRACTED = [("figure-12", ["--impacts", "5"]), ("figure-13", ["--impacts", "9"]), ("even-cycles", ["--impacts", "8"])]
-# Trapping regions, and seconds of processor time accepted; of the first ones corrupted copies are made.
+# Trapping regions, and seconds of processor time accepted.
 REGIONS = [("figure-13", 1.0), ("figure-14", 10.0), ("figure-12", 1.0), ("even-cycles", 5.0), ("figure-10", 5.0), ("figure-11", 5.0), ("cascade", 5.0), ("doublings", 40.0),
            ("figure-14-sink", 10.0), ("figure-15", 40.0), ("figure-17", 60.0)]
 REGIONS_OF_INTERVALS = [{"gap": "[9.42496, 9.42498]"}, {"restitution": "[0.4999, 0.5001]"}, {"velocity": "[-12.5664, -12.5663]", "time": "[0, 1e-6]"}]
-# Horseshoes: scene, options, seconds of processor time accepted; of the first one corrupted copies are made, and of THICK, whose h-sets are cut across as well.
+# Horseshoes: scene, options, seconds of processor time accepted.
 BASES = ["--bases", "docs/bases-figure-14.json", "--depth"]
 THICK = ("figure-17", ["--bases", "validation/coq/verified/bases-figure-17.json", "--depth", "5"], {}, 40.0)
 HORSESHOES = [("figure-14", [*BASES, "3"], {}, 10.0), ("figure-14-sink", [*BASES, "3"], {}, 10.0), ("figure-14", [*BASES, "3"], {"gap": "[9.42496, 9.42498]"}, 10.0),
               ("figure-14", [*BASES, "6"], {}, 30.0), ("figure-14", [*BASES, "8"], {}, 60.0), ("figure-14", [*BASES, "9"], {}, 110.0), THICK]
-# Documents of which corrupted copies are made.
-SPOILED = [("figure-14", ["--impacts", "8"]), ("figure-14", ["--until", "4.4"]), ("figure-14", [*SHADOWED, "--impacts", "8"]),
-           ("chatter", ["--until", "12"]), ("chatter", []), ("two-tones", ["--impacts", "6"]), ("figure-17", ["--impacts", "6"]), ("figure-17", [*SHADOWED, "--impacts", "6"])]
-SPOILED_IN_SMALL = SPOILED[:4]
 # Covered by the theorems, but the program finds no hints for them (docs/verified.md): scenes with options, and numbers of random scenes.
 NOT_FOUND, NOT_FOUND_AT_RANDOM = {("figure-14-sink-35", "--impacts 60"), ("quasi-periodic-rests", "--arithmetic shadow --impacts 200")}, {100}
 # The axioms of Coq's real numbers: all that a theorem may rest on.
@@ -243,51 +234,6 @@ def horseshoes(suite, quick):
     return rows
 
 
-def wrong(suite, quick):
-    """Corrupted copies, none of which may be verified; the number of them."""
-    total = 0
-    orbits = [suite.run(f"scenes/{name}.toml", options) for name, options in ATTRACTED[: 1 if quick else None]]
-    for document in [suite.periodic(*PERIODIC[0]), *orbits]:
-        for what, copy in corrupted_orbits.copies(document):
-            total += 1
-            if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
-                suite.failures.append(f"{document['scene']['gap']}, {document['schema']}, {what}: {said}")
-    for name, _ in REGIONS[: 1 if quick else 2]:
-        events = suite.run(f"scenes/{name}.toml", ["--impacts", "12"])["events"]
-        for what, copy in corrupted_regions.copies(suite.trap(name), events):
-            total += 1
-            if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
-                suite.failures.append(f"region of {name}, {what}: {said}")
-    for scene, options, *_ in HORSESHOES[:1] if quick else [HORSESHOES[0], THICK]:
-        for what, copy in corrupted_words.copies(suite.chaos(scene, options)):
-            total += 1
-            if (said := suite.answer(json.dumps(copy).encode())[1]).startswith("verified"):
-                suite.failures.append(f"horseshoe of {scene}, {what}: {said}")
-    for name, options in SPOILED_IN_SMALL if quick else SPOILED:
-        document = suite.run(f"scenes/{name}.toml", options)
-        for what, copy in corrupted.copies(document):
-            verdict, said, _ = suite.answer(json.dumps(copy).encode())
-            total += 1
-            if verdict not in ("not verified", "unreadable"):
-                suite.failures.append(f"{name}, {what}: {said}")
-    return total
-
-
-def changed(suite, quick):
-    """Copies with one value changed at random: none is verified that `check` refutes. How many were, and were verified."""
-    total = verified = 0
-    documents = [(name, suite.run(f"scenes/{name}.toml", options)) for name, options in [*SPOILED_IN_SMALL, ATTRACTED[0]]]
-    for name, document in [*documents, ("periodic orbits of figure-12", suite.periodic(*PERIODIC[0])), ("the region of figure-13", suite.trap("figure-13")),
-                           *([] if quick else [("the horseshoe of figure-14", suite.chaos(*HORSESHOES[0][:2]))])]:
-        for what, copy in corrupted.at_random(document, 20 if quick else 600):
-            total += 1
-            if suite.answer(json.dumps(copy).encode())[0] == "verified":
-                verified += 1
-                if (verdict := suite.check(copy)) not in ("confirmed", "undecided"):
-                    suite.failures.append(f"{name}, {what}: verified, but check says {verdict}")
-    return total, verified
-
-
 def r43_periods(suite, quick):
     """The distance of a shadowed orbit from the middles of its bounds is in periods of the fastest harmonic, wherever that is listed."""
     least = []
@@ -324,22 +270,6 @@ def small_ellipse(suite):
         suite.failures.append(f"figure-14-sink-35 in 20 digits: {said}")
 
 
-def has_another_start(file):
-    """True if it is a document of `periodic` whose start is what the forger has made false."""
-    return file.stem.endswith("-periodic-NotJudged") and any(str(value).startswith("(") for value in json.loads(file.read_text())["scene"]["start"].values())
-
-
-def of_forger(suite, folder):
-    """The forgeries of `tests/forger` (FORGER_FOLDER), named by what `check` says: only those true after all may be verified, and those of periodic orbits
-    with another start, which claims nothing there."""
-    documents = sorted(Path(folder).glob("*.json")) if folder else []
-    for file in documents:
-        verdict, said, _ = suite.answer(file.read_bytes())
-        if verdict == "verified" and not file.stem.endswith("-True") and not has_another_start(file):
-            suite.failures.append(f"{file}: {said}")
-    return len(documents)
-
-
 def unreadable(suite, quick):
     """Texts that are no document of this kind; the number of them."""
     document = suite.run("scenes/figure-14.toml", ["--impacts", "3"])
@@ -360,7 +290,8 @@ def same_as_coq(suite, quick):
     document = suite.run("scenes/figure-14.toml", ["--impacts", "4"])
     shadowed, resting = suite.run("scenes/figure-14.toml", [*SHADOWED, "--impacts", "3"]), suite.run("scenes/chatter.toml", ["--until", "3", "--digits", "3"])
     repeated = suite.run("scenes/chatter.toml", ["--until", "20", "--digits", "3"])
-    samples = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, suite.run("scenes/figure-12.toml", ["--impacts", "3"]), suite.periodic(*PERIODIC[0]), suite.trap("figure-12"), suite.chaos(*HORSESHOES[0][:2]), *(copy for _, copy in corrupted.copies(document))]
+    corrupted = [json.loads(entry["text"]) for entry in corpus.entries("orbit") if entry["truth"] != "unreadable"][:30]
+    samples = [document, resting, shadowed, suite.run("scenes/two-tones.toml", ["--until", "1"]), repeated, suite.run("scenes/figure-12.toml", ["--impacts", "3"]), suite.periodic(*PERIODIC[0]), suite.trap("figure-12"), suite.chaos(*HORSESHOES[0][:2]), *corrupted]
     # One file of a module for each: Coq loads its libraries once.
     modules = []
     for number, copy in enumerate([*samples[:4], samples[5]] if quick else samples):
@@ -416,7 +347,6 @@ def main():
     parser.add_argument("--program", required=True)
     parser.add_argument("--verified", required=True)
     parser.add_argument("--report", default="validation/report")
-    parser.add_argument("--forged", help="folder of forged documents")
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     suite, quick = Suite(arguments.program, arguments.verified), arguments.quick
@@ -425,13 +355,12 @@ def main():
     compared_with_check(suite)
     if not quick:
         small_ellipse(suite)
-    rows, times, spoiled, orbits = right(suite, quick), fast(suite, quick), wrong(suite, quick), periodic_orbits(suite, quick)
+    rows, times, orbits = right(suite, quick), fast(suite, quick), periodic_orbits(suite, quick)
     trapping, chaotic = regions(suite, quick), horseshoes(suite, quick)
     boxes, (made, accepted) = intervals(suite, quick), random_scenes(suite, quick)
-    (mutated, still), refused, coq = changed(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
-    false_ones, rests_on = of_forger(suite, arguments.forged), axioms(suite, quick)
-    (none, false_claims), (verified, true_claims) = forged.judged(suite)
-    verdict = (f"{sum('| verified |' in row for row in rows + boxes + orbits + trapping + chaotic) + accepted} documents verified, {spoiled} corrupted copies and {refused} other texts refused, "
+    (table, false_ones), refused, coq = corpus.judged(suite, quick), unreadable(suite, quick), same_as_coq(suite, quick)
+    rests_on = axioms(suite, quick)
+    verdict = (f"{sum('| verified |' in row for row in rows + boxes + orbits + trapping + chaotic) + accepted} documents verified, {false_ones} false documents and {refused} other texts judged, "
                f"{coq} answers equal to those of Coq's evaluator; {len(suite.failures)} failures.")
     lines = ["# Documents verified by a checker extracted from Coq", "", verdict, "",
              "| scene | events | outcome | answer | seconds |", "|---|---|---|---|---|", *rows, "",
@@ -441,9 +370,8 @@ def main():
              "| horseshoe | impacts of a word | words | entropy per impact | answer | seconds |", "|---|---|---|---|---|---|", *chaotic, "",
              "| speed | seconds of processor time | accepted |", "|---|---|---|", *times, "",
              f"Random scenes: {made} documents, {accepted} verified, all others with an event or an outcome that is not covered.", "",
-             f"Documents made false by `tests/forger`: {false_ones}, none verified that is false.", "",
-             f"Documents that are false in one claim: {false_claims}, {none} verified; true ones beside them: {true_claims}, {verified} verified.", "",
-             f"One value changed at random: {mutated} copies, {still} of them verified, none of these refuted by `impact-pair check`.", "",
+             "False documents, by what is changed; all that are confirmed or verified are true after all, or changed beside the claims:", "",
+             "| change | documents | confirmed by `check` | verified |", "|---|---|---|---|", *table, "",
              f"The theorem rests on {', '.join(f'`{axiom}`' for axiom in rests_on)}." if rests_on else "Its axioms: see `coq.md`."]
     if suite.failures:
         lines += ["", "## Failures", "", *(f"- {failure}" for failure in suite.failures)]

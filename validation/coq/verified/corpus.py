@@ -1,0 +1,45 @@
+"""The corpus of documents that `tests/corpus` writes to `target/corpus`: false ones, with what `impact-pair check` found, and files of single ones."""
+import json
+from pathlib import Path
+
+FOLDER = Path("target/corpus")
+# Kinds of which a theorem covers some; `forged` are the files of crates/certificate/tests/forged.
+KINDS = ("orbit", "lines", "shadow", "periodic", "two-impact", "trap", "chaos", "forged")
+# What a document has beside its claims: neither checker uses it.
+UNUSED = ("program", "arithmetic", "title")
+
+
+def entries(kind):
+    """The entries of a kind: of, family, place, what, why, truth, check, text."""
+    file = FOLDER / f"{kind}.jsonl"
+    if not file.exists():
+        raise SystemExit(f"error: no {file}: `cargo test --workspace --test library corpus::` and `--test recorded cases::` write it")
+    return [json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()]
+
+
+def claims_nothing(entry):
+    """True if what is changed is beside the claims; of periodic orbits the scene's start is as well."""
+    place = entry["place"]
+    return place.startswith(UNUSED) or entry["kind"] in ("periodic", "two-impact") and place.startswith("scene.start")
+
+
+def is_accepted(entry):
+    """True if a document may be verified: a true one, one whose claims are unchanged, or one that `check` leaves open."""
+    return entry["check"] in ("True", "true") or claims_nothing(entry) or entry["truth"] == "open" and entry["check"] in ("NotJudged", "Undecided")
+
+
+def judged(suite, quick):
+    """Rows of the table of verdicts: of each kind of change how many `check` and the verified checker refuse, confirm and verify."""
+    counts = {}
+    for kind in KINDS:
+        for number, entry in enumerate(entries(kind)):
+            if quick and number % 3 and kind != "forged":
+                continue
+            verdict, said, _ = suite.answer(entry["text"].encode())
+            if verdict == "verified" and not is_accepted(entry):
+                suite.failures.append(f"{kind}, {entry['of']}: {entry['family']}, {entry['place']} {entry['what']}: {said}, but check: {entry['check']}")
+            row = counts.setdefault(entry["family"], [0, 0, 0])
+            row[0] += 1
+            row[1] += entry["check"] in ("True", "true", "NotJudged")
+            row[2] += verdict == "verified"
+    return [f"| {family} | {made} | {confirmed} | {verified} |" for family, (made, confirmed, verified) in sorted(counts.items())], sum(row[0] for row in counts.values())
