@@ -15,6 +15,8 @@ import json, os, signal, threading, time
 import impact_pair
 from impact_pair import Scene
 
+# Whatever started these tests may have left Ctrl-C ignored, as a shell does in the background.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 begun, sent = threading.Event(), []
 
 def note(done):
