@@ -151,7 +151,6 @@ proptest! {
         for arithmetic in [Arithmetic::Bits(200), Arithmetic::Auto] {
             agree(&doubles, &case.events(arithmetic, 20).0)?;
         }
-        let _ = doubles;
     }
 
     /// `(y, E) -> (-y, -E)` maps motions to motions.

@@ -21,6 +21,7 @@ use crate::flight::Flight;
 use crate::number::{Ball, Number, kernel::sin_cos};
 use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
+use crate::scene::Key;
 use crate::watch::{Stage, Unwatched, proceed_if};
 
 const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 };
@@ -260,12 +261,7 @@ fn overlapping_h_sets_are_reported() {
 }
 
 fn scene(amplitude: &str) -> Scene {
-    let text = include_str!("../../scenes/figure-14.toml");
-    let changed: Vec<String> = text
-        .lines()
-        .map(|line| if line.starts_with("amplitude") { format!("amplitude = {amplitude}") } else { line.to_owned() })
-        .collect();
-    Scene::parse(&changed.join("\n")).unwrap()
+    crate::tests::scene("figure-14").with(&[(Key::Amplitude(None), amplitude.parse().unwrap())]).unwrap()
 }
 
 /// Lemma D12: one horseshoe for all gaps within a part in 10^4, as an independent trial found with these h-sets.

@@ -175,16 +175,19 @@ mod refined {
     }
 }
 
-/// The links of a proved chain, and the same corrupted.
-#[test]
-fn a_corrupted_chain_is_refused() {
+/// The first links of the chain of figure 14: each node, the next one, and where it lands.
+fn links(most: usize) -> Vec<(Node, Node, Landing)> {
     let scene = scene("figure-14");
     let clock = Clock::new(scene.pair(), scene.start().time(), 0).unwrap();
     let Either::One(one) = Either::new(scene.pair(), &clock).unwrap() else { panic!("one harmonic") };
-    let shadow = Shadow::of(&scene).unwrap();
-    for nodes in shadow.nodes.as_slice().windows(2).take(1000) {
-        let [node, next] = [nodes[0], nodes[1]];
-        let landing = node.land(&*one).unwrap();
+    let nodes = Shadow::of(&scene).unwrap().nodes;
+    nodes.as_slice().windows(2).take(most).map(|pair| (pair[0], pair[1], pair[0].land(&*one).unwrap())).collect()
+}
+
+/// The links of a proved chain, and the same corrupted.
+#[test]
+fn a_corrupted_chain_is_refused() {
+    for (node, next, landing) in links(1000) {
         let covers = |node: &Node, next: &Node| {
             Link::new(&node.axes, &landing, next).is_some_and(|link| link.covers(node.sides, next.sides))
         };
@@ -212,13 +215,7 @@ fn a_corrupted_chain_is_refused() {
 /// determinant below 0 looked wide enough; so do sides below 0 in the other terms.
 #[test]
 fn r32_parallel_axes_and_negative_sides_cover_nothing() {
-    let scene = scene("figure-14");
-    let clock = Clock::new(scene.pair(), scene.start().time(), 0).unwrap();
-    let Either::One(one) = Either::new(scene.pair(), &clock).unwrap() else { panic!("one harmonic") };
-    let shadow = Shadow::of(&scene).unwrap();
-    for nodes in shadow.nodes.as_slice().windows(2).take(200) {
-        let [node, next] = [nodes[0], nodes[1]];
-        let landing = node.land(&*one).unwrap();
+    for (node, next, landing) in links(200) {
         // Both along the unstable direction, or along the stable one: there the image is stretched across the adjugate's rows.
         let Axes { unstable, stable, .. } = next.axes;
         let parallel = |[s1, s2]: [f64; 2]| [[s1, s2], [-s1, -s2]].map(|other| [[s1, s2], other]);

@@ -16,17 +16,8 @@ fn scene(excitation: &str, pair: &str) -> Scene {
     scene_of(excitation, pair, "time = 0, wall = \"left\", velocity = -12.5")
 }
 
-/// `A/d` and `e` of figures 14, 17 and 16.
 fn figure(number: u32) -> Scene {
-    let (amplitude, gap, restitution) = match number {
-        14 => ("8", "9.42497", "0.5"),
-        17 => ("10", "10", "0.8"),
-        _ => ("10", "1", "0.8"),
-    };
-    scene(
-        &format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0"),
-        &format!("gap = {gap}, restitution = {restitution}"),
-    )
+    crate::tests::scene(&format!("figure-{number}"))
 }
 
 fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {

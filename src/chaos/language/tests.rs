@@ -9,16 +9,8 @@ use crate::chaos::guess::Guess;
 use crate::watch::{Stage, Unwatched, proceed_if};
 use crate::{Scene, chaos::scene::visited};
 
-/// `A`, `d`, `e` and the start of figures 14, 16 and 17, in periods of 2.
 fn figure(number: u32) -> Scene {
-    let (amplitude, gap, restitution, velocity) = match number {
-        14 => ("8", "9.42497", "0.5", "-12.56636"),
-        16 => ("10", "1", "0.8", "-0.1"),
-        _ => ("10", "10", "0.8", "-1"),
-    };
-    let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
-    let pair = format!("gap = {gap}, restitution = {restitution}");
-    crate::tests::scene_of(&excitation, &pair, &format!("time = 0, wall = \"left\", velocity = {velocity}"))
+    crate::tests::scene(&format!("figure-{number}"))
 }
 
 fn of(number: u32) -> (Scene, Trap, BoxGraph) {
