@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use crate::common::{crc, files, folder, verb};
+use crate::sweep_tables::tables;
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 
@@ -18,12 +19,8 @@ const DIAGRAM: [&str; 7] =
     ["scenes/figure-14.toml", "--over", "amplitude=4..9:21", "--transient", "60", "--impacts", "12"];
 
 fn written(command: &mut Command, file: &Path) -> Vec<u8> {
-    written_with(0, command, file)
-}
-
-fn written_with(code: i32, command: &mut Command, file: &Path) -> Vec<u8> {
     let answer = command.arg("--output").arg(file).output().unwrap();
-    assert_eq!(answer.status.code(), Some(code), "{answer:?}");
+    assert_eq!(answer.status.code(), Some(0), "{answer:?}");
     assert!(answer.stdout.is_empty());
     fs::read(file).unwrap()
 }
@@ -66,9 +63,24 @@ fn shards_put_together_are_the_whole() {
         let whole = written(sweep(&DIAGRAM).args(["--format", format]), &folder.join("whole"));
         let merged = sweep(&["--merge", &three, &one, &two, "--format", format]).output().unwrap();
         assert_eq!((merged.status.code(), merged.stdout == whole), (Some(0), true), "{format}");
+        let of = |kind: &str, command: &mut Command| {
+            let written = ["points", "states"].map(|name| folder.join(format!("{kind}-{name}.{format}")));
+            tables(command.args(["--quiet", "--format", format]), [&written[0], &written[1]])
+        };
+        if format != "jsonl" {
+            let merged = of("merged", &mut sweep(&["--merge", &three, &one, &two]));
+            assert!(merged == of("whole", &mut sweep(&DIAGRAM)), "{format}");
+        }
     }
     let merge = |shards: &[&str]| error(&sweep(&[&["--merge"], shards].concat()).output().unwrap());
     assert!(merge(&[&one, &two]).contains("shard 3/3 is missing"));
+    // A shard in the place of its own states, and shards without impacts.
+    assert!(merge(&[&one, &two, &three, "--states", &three]).contains("3.jsonl: it is the input"));
+    let summary = folder.join("summary.jsonl");
+    written(sweep(&DIAGRAM).args(["--shard", "1/1", "--summary"]), &summary);
+    let refused = merge(&[summary.to_str().unwrap(), "--states", folder.join("none.csv").to_str().unwrap()]);
+    assert_eq!(refused, "error: --states writes the impacts, but a sweep with --summary has none\n");
+    assert!(!folder.join("none.csv").exists());
     assert!(merge(&[&one, &two, &two]).contains("is shard 2/3, which is given twice"));
     let whole = folder.join("whole.jsonl");
     written(sweep(&DIAGRAM).args(["--format", "jsonl"]), &whole);
@@ -133,24 +145,6 @@ fn a_truncated_journal_is_resumed_and_a_damaged_one_refused() {
     assert_eq!(files(&folder), ["resumed.csv", "whole.csv"]);
     // With nothing to resume, the sweep begins.
     assert_eq!(written(sweep(&DIAGRAM).arg("--resume"), &folder.join("new.csv")), whole);
-}
-
-#[cfg(unix)]
-#[test]
-fn ctrl_c_keeps_what_is_finished() {
-    let folder = folder("sweep-interrupted");
-    let long = ["scenes/figure-14.toml", "--over", "amplitude=3..7:151", "--transient", "20", "--impacts", "5"];
-    // Few enough impacts for doubles.
-    let whole = written_with(0, &mut sweep(&long), &folder.join("whole.csv"));
-    let (file, partial) = (folder.join("part.csv"), folder.join("part.csv.partial"));
-    let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
-    let answer = common::interrupted(sweep(&long).arg("--output").arg(&file), || lines() >= 5);
-    assert_eq!(answer.status.code(), Some(1));
-    let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.starts_with(&format!("interrupted: {} points kept in", lines() - 1)), "{said}");
-    assert!(!file.exists() && lines() < 152);
-    assert_eq!(written_with(0, sweep(&long).arg("--resume"), &file), whole);
-    assert_eq!(files(&folder), ["part.csv", "whole.csv"]);
 }
 
 /// A scene file of this test.

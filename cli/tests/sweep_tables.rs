@@ -34,7 +34,7 @@ fn stdout_of(command: &mut Command) -> String {
 }
 
 /// The points and the states that a sweep writes into these files.
-fn tables(command: &mut Command, [points, states]: [&Path; 2]) -> [Vec<u8>; 2] {
+pub fn tables(command: &mut Command, [points, states]: [&Path; 2]) -> [Vec<u8>; 2] {
     let answer = run_to_end(command.arg("--output").arg(points).arg("--states").arg(states));
     assert!(answer.stdout.is_empty() && answer.stderr.is_empty(), "{answer:?}");
     [points, states].map(|file| fs::read(file).unwrap())
@@ -144,36 +144,6 @@ fn points_without_impacts_have_no_states() {
     assert_eq!(states, b"point,gap,index,wall,phase_lower,phase_upper,velocity_lower,velocity_upper\n");
 }
 
-#[test]
-fn shards_put_together_are_the_two_tables_of_the_whole() {
-    let folder = folder("tables-shards");
-    let shard = |number: u32, more: &[&str]| {
-        let file = folder.join(format!("{number}{}.jsonl", more.concat()));
-        run_to_end(sweep(&DIAGRAM).args(["--shard", &format!("{number}/2")]).args(more).arg("--output").arg(&file));
-        file.to_str().unwrap().to_owned()
-    };
-    let shards = [1, 2].map(|number| shard(number, &[]));
-    let formats: &[&str] = if cfg!(feature = "parquet") { &["csv", "parquet"] } else { &["csv"] };
-    for format in formats {
-        let of = |kind: &str, command: &mut Command| {
-            let written = ["points", "states"].map(|name| folder.join(format!("{kind}-{name}.{format}")));
-            tables(command.args(["--format", format]), [&written[0], &written[1]])
-        };
-        let merged = of("merged", &mut sweep(&["--merge", &shards[1], &shards[0]]));
-        assert!(merged == of("whole", &mut sweep(&DIAGRAM)), "{format}");
-    }
-    // Shards without impacts, and a shard in the place of its own states.
-    let summaries = [1, 2].map(|number| shard(number, &["--summary"]));
-    let states = folder.join("none.csv");
-    let states = states.to_str().unwrap();
-    let refused = |arguments: &[&str]| refusal(&mut sweep(&[&["--merge"], arguments].concat()));
-    let run_to_end = refused(&[&summaries[0], &summaries[1], "--states", states]);
-    assert_eq!(run_to_end, "error: --states writes the impacts, but a sweep with --summary has none\n");
-    let run_to_end = refused(&[&shards[0], &shards[1], "--states", &shards[1]]);
-    assert!(run_to_end.contains("2.jsonl: it is the input"), "{run_to_end}");
-    assert!(!Path::new(states).exists());
-}
-
 #[cfg(unix)]
 #[test]
 fn a_resumed_sweep_writes_both_tables() {
@@ -184,16 +154,17 @@ fn a_resumed_sweep_writes_both_tables() {
     // Begun with states and gone on with; and begun without.
     for is_requested in [true, false] {
         [&points, &states].into_iter().for_each(|file| fs::remove_file(file).unwrap());
-        let mut begun = sweep(&long);
+        let mut begun = program(&[&["sweep"], &long[..]].concat());
         begun.arg("--output").arg(&points);
         if is_requested {
             begun.arg("--states").arg(&states);
         }
         let lines = || fs::read_to_string(&partial).map_or(0, |text| text.lines().count());
         let answer = common::interrupted(&mut begun, || lines() >= 5);
-        assert_eq!(answer.status.code(), Some(1));
+        let said = String::from_utf8(answer.stderr).unwrap();
+        let kept = format!("interrupted: {} points kept in", lines() - 1);
+        assert!(answer.status.code() == Some(1) && said.starts_with(&kept) && lines() < 102, "{said}");
         assert_eq!(files(&folder), ["points.csv.partial"]);
-        assert!(lines() < 102);
         assert!(tables(sweep(&long).arg("--resume"), [&points, &states]) == whole);
         assert_eq!(files(&folder), ["points.csv", "states.csv"]);
     }
