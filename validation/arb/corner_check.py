@@ -10,7 +10,7 @@ from flight import Flight
 from judging import check_never, judge_scene
 from listing import judge
 from program import listing
-from random_scenes import toml
+from recorded import toml
 from scene import LEFT, Scene
 from timeline import Timeline
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 from compare import Disagreement, bounds
 from listing import judge
 from program import listing
-from random_scenes import toml
+from recorded import toml
 from scene import LEFT, RIGHT, Scene
 from simulate import decimal_below
 from timeline import Timeline

@@ -14,7 +14,7 @@ from listing import chatter_limit, check_order, check_widths, judge, judge_perio
 from mirror import check_overlap, mirror, reflected
 from orbit import FIRST_BITS
 from program import listing
-from random_scenes import toml
+from recorded import toml
 from rest_controls import check_first_controls, check_rest_controls
 from scene import Scene
 from simulate import exact

@@ -6,15 +6,12 @@ from chaos import judge_chaos
 from compare import Disagreement, describe, judge, run_binary
 from corner_check import judge_corner
 from corners import corners
-from extreme_scenes import extreme_scenes
 from intervals import interval_scenes, judge_interval_scene
 from judging import judge_scene
-from random_scenes import is_calm, scenes, toml
+from recorded import is_calm, random_scenes, straddling_scenes, toml
 from several_check import judge_untold
 from several_corners import several_corners, untold_corners
-from several_scenes import several_scenes
 from shadow import chaotic_scenes, judge_shadow
-from straddling_scenes import straddling_scenes
 from tangency import judge_document
 
 FIGURES = [f"scenes/figure-{number}.toml" for number in (12, 13, 14, 15, 16, 17)]
@@ -121,9 +118,9 @@ def deep_enough(corners, depths):
     return [corner for corner in corners if depths is None or not (found := near(corner)) or int(found[1]) in depths]
 
 
-def several_jobs(amount, seed):
+def several_jobs(amount):
     """Random scenes with several harmonics, and corner cases."""
-    yield from scene_jobs(SEVERAL, several_scenes(amount.several, seed), amount.several_impacts)
+    yield from scene_jobs(SEVERAL, random_scenes("several", amount.several), amount.several_impacts)
     for corner in deep_enough(several_corners(), amount.depths):
         yield Job(SEVERAL, corner.name, judge_one_corner, (corner,), toml(corner.tables))
     for corner in untold_corners():
@@ -165,13 +162,13 @@ def tangency_jobs(few):
 def jobs(amount, seed, parts):
     """All jobs of the requested parts."""
     found = list(figure_jobs(amount))
-    found += scene_jobs("resting scenes", scenes(amount.resting, seed), amount.resting_impacts)
-    found += scene_jobs("extreme scenes", extreme_scenes(amount.extremes, seed), amount.extreme_impacts)
+    found += scene_jobs("resting scenes", random_scenes("resting", amount.resting), amount.resting_impacts)
+    found += scene_jobs("extreme scenes", random_scenes("extreme", amount.extremes), amount.extreme_impacts)
     found += [
         Job("corner cases", corner.name, judge_one_corner, (corner,), toml(corner.tables))
         for corner in deep_enough(corners(), amount.depths)
     ]
-    found += several_jobs(amount, seed)
+    found += several_jobs(amount)
     found += straddling_jobs(amount.straddling)
     found += [
         Job("interval scenes", scene.name, judge_one_interval, (scene,), toml(scene.tables))

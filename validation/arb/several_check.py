@@ -4,7 +4,7 @@ from collections import Counter
 from corner_check import check_events, check_spoiled, graze_proof
 from corners import GOES_ON, GRAZES
 from program import listing
-from random_scenes import toml
+from recorded import toml
 
 
 def judge_untold(corner, binary):

@@ -19,7 +19,7 @@ from expression import evaluate
 from flight import Undecided
 from orbit import FIRST_COARSE_BITS, leave, orbit
 from program import as_row, run
-from random_scenes import toml
+from recorded import toml
 from scene import LEFT, RIGHT, Scene
 from simulate import decimal_below, exact
 

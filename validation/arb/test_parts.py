@@ -9,11 +9,11 @@ from compare import Disagreement
 from controls import printed
 from corner_check import check_events, check_spoiled, check_touch
 from corners import corners, inside_graze, wall_graze
-from extreme_scenes import extreme_scenes
 from flight import Flight, TooLong
 from intervals import check_spoiled as check_member_spoiled
 from intervals import interval_scenes, judge_member
 from orbit import orbit, prove
+from recorded import random_scenes
 from scene import LEFT, RIGHT, Motion, Scene
 from suite import check_shares
 
@@ -59,7 +59,7 @@ class Long(unittest.TestCase):
         self.assertIsInstance(proved.reason, TooLong)
 
     def test_extremes_are_extreme(self):
-        kinds = Counter(tables["pair"]["restitution"] for tables in extreme_scenes(100, 1))
+        kinds = Counter(tables["pair"]["restitution"] for tables in random_scenes("extreme", 100))
         self.assertGreater(kinds["0"], 5)
         self.assertGreater(kinds["1"], 5)
 

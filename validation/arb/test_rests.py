@@ -11,7 +11,7 @@ from flight import Flight, Undecided
 from listing import judge
 from orbit import prove
 from program import as_row
-from random_scenes import toml
+from recorded import toml
 from release import release_after
 from rest import Rest, accumulation
 from judging import check_never

@@ -10,10 +10,9 @@ from corners import inside_graze
 from listing import judge
 from orbit import prove
 from parts import STRADDLING
-from random_scenes import toml
+from recorded import straddling_scenes, toml
 from rest_controls import moved, renumbered
 from scene import LEFT, RIGHT, Scene
-from straddling_scenes import straddling_scenes
 from suite import check_shares
 from timeline import Timeline
 from untold import merged

@@ -54,3 +54,9 @@ impl Random {
 pub fn cases(base: usize) -> usize {
     (base * number("IMPACT_PAIR_MULTIPLIER", 1) as usize).div_ceil(8)
 }
+
+/// Does the work on all cores at once.
+pub fn on_all_cores(work: impl Fn() + Sync) {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| (0..cores).for_each(|_| drop(scope.spawn(&work))));
+}

@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::environment::number;
-use crate::random::Random;
+use crate::random::{Random, on_all_cores};
 use judge::{AnswerVerdict, Finding, judge};
 use traits::{Coverage, Crossing, Question, array, crossing};
 
@@ -40,8 +40,6 @@ const OUTCOMES: &str = "impacts-reached; time-reached; rests-forever; never-impa
 const CASES: u64 = 1_700;
 /// The default seed: one whose answers have all the outcomes that must occur.
 const SEED: u64 = 2026;
-/// More than an answer takes: one that does is shown.
-const SLOW_ANSWER: Duration = Duration::from_secs(1);
 
 /// Findings of `check` and of the truth, and how long they took.
 #[derive(Default)]
@@ -91,18 +89,13 @@ impl Tally {
         for (question, counts) in &self.questions {
             println!("{}", counts.row(&format!("{question:?}")));
         }
-        println!("\n| outcome | answers |\n|---|---|");
-        for (outcome, count) in &self.outcomes {
-            println!("| {outcome} | {count} |");
-        }
+        println!("\n{:#?}", self.outcomes);
         let [pairs, all_pairs, triples, all_triples] = self.coverage.counts();
         println!(
             "\n{pairs} of {all_pairs} pairs and {triples} of {all_triples} triples are asked; {} are no scenes",
             self.no_scenes
         );
-        for (why, count) in &self.open {
-            println!("open: {count} {why}");
-        }
+        println!("open: {:#?}", self.open);
     }
 
     /// Nothing is false; a judge that is never asked, or never decides, would pass anything.
@@ -129,7 +122,7 @@ impl Tally {
     }
 }
 
-/// One answer and what is found of it.
+/// One answer and its finding.
 fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mutex<Tally>) {
     let clock = Instant::now();
     let random = Random::new(seed ^ number << 24);
@@ -144,12 +137,9 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
     let made = catch_unwind(AssertUnwindSafe(|| {
         let answer = case.ask();
         if is_shown {
-            println!("{}\nasked in {:.1?}", answer.shown(), clock.elapsed());
+            println!("{}", answer.shown());
         }
         let judgement = judge(&mut case, &answer);
-        if is_shown {
-            println!("judged after {:.1?}", clock.elapsed());
-        }
         (answer, judgement)
     }));
     let elapsed = clock.elapsed();
@@ -173,9 +163,6 @@ fn answer(seed: u64, number: u64, crossing: Crossing, is_shown: bool, tally: &Mu
         } else if finding == Finding::Open && judge == "the truth" {
             *tally.open.entry(words.clone()).or_default() += 1;
         }
-    }
-    if elapsed > SLOW_ANSWER {
-        println!("slow, {elapsed:.1?}: {named}\n{text}");
     }
 }
 
@@ -206,12 +193,7 @@ fn no_answer_of_a_crossing_is_false() {
             answer(seed, number, crossing(&array, number), false, &tally);
         }
     };
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(work);
-        }
-    });
+    on_all_cores(work);
     let tally = tally.into_inner().unwrap();
     tally.print();
     let [pairs, all_pairs, ..] = tally.coverage.counts();

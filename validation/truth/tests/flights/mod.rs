@@ -7,7 +7,7 @@ use impact_pair::contact::Radii;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::random::{Random, cases};
+use crate::random::{Random, cases, on_all_cores};
 use judge::{Case, From, Spread, Tally};
 use near::near_graze;
 
@@ -264,10 +264,7 @@ fn no_contact_of_a_single_flight_is_false() {
             tally.finish(family.most_undecided, family.widest);
         }
     };
-    std::thread::scope(|scope| {
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        (0..threads).for_each(|_| drop(scope.spawn(work)));
-    });
+    on_all_cores(work);
 }
 
 /// All corners of a box, and some of its members.
