@@ -283,10 +283,15 @@ fn texts(path: &[String], text: &str, vocabulary: &Vocabulary) -> Vec<(&'static 
             let back = [("a unit less", &unit), ("a tenth less", &tenth)].map(|(what, by)| (what, value - by));
             all.extend(moved.into_iter().chain(back).map(|(what, other)| (what, decimal(&other))));
         }
-        if value != Some(fraction(0, 1)) {
+        // Of 0 a multiple is 0.
+        let is_zero = value == Some(fraction(0, 1));
+        if !is_zero {
             all.push(("negative", negated(&json!(text)).as_str().unwrap().to_owned()));
         }
-        all.extend(VALUES.map(|(what, other)| (what, other.replace("{}", text))));
+        let values = VALUES
+            .into_iter()
+            .filter(|(what, _)| !is_zero || !what.starts_with("a thousandth part") && *what != "a thousandfold");
+        all.extend(values.map(|(what, other)| (what, other.replace("{}", text))));
     } else if text.chars().all(|c| "FN".contains(c)) {
         let swapped = text.chars().map(|c| if c == 'F' { 'N' } else { 'F' }).collect();
         all.extend(

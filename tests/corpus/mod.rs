@@ -7,7 +7,7 @@
 //! `true.json`. False documents that need no code are files in `crates/certificate/tests/forged`.
 //!
 //! All are written to `target/corpus`, a file of JSON Lines for each kind: the verified checker judges the same list. `CORPUS_CASES` is
-//! the number of changes at one place (default 1; `all`), `CORPUS_ONLY=WORDS` shows the verdict on each document whose name has the words.
+//! the number of changes at one place (default 2; `all`), `CORPUS_ONLY=WORDS` shows the verdict on each document whose name has the words.
 
 mod changes;
 mod documents;
@@ -45,7 +45,17 @@ const FORGERIES: [&[Forgery]; 4] = [scenes::FORGERIES, outcomes::FORGERIES, shad
 
 /// Kinds of which a check takes a second or more, and of how many changes one is judged by default.
 const SLOW: [(&str, u64); 6] =
-    [("windows", 25), ("tangency", 4), ("global", 4), ("atlas", 4), ("chaos", 12), ("hyperbolic", 12)];
+    [("windows", 30), ("tangency", 8), ("global", 6), ("atlas", 6), ("chaos", 24), ("hyperbolic", 30)];
+
+/// True documents that are not changed, as the computation of what is confirmed does not find them true: of a start that is the scene's own, of one impact, which other starts have as
+/// well, up to a time, and of a harmonic that vanishes at an end. Nor does it find the start of long chaotic orbits in 320 bits.
+const NOT_COMPUTED: [&str; 5] = [
+    "shadow from a rest",
+    "shadow of one impact",
+    "shadow up to a time",
+    "orbits that may be symmetric",
+    "orbits of harmonics that cancel",
+];
 
 /// A document that is false, or almost certainly.
 struct Entry {
@@ -82,9 +92,16 @@ enum Found {
     Confirmed,
 }
 
+/// Changes at one place by default.
+const CASES: u64 = 2;
+
 /// Changes at one place.
 fn cases() -> usize {
-    usize::try_from(number("CORPUS_CASES", 1)).unwrap_or(usize::MAX)
+    usize::try_from(number("CORPUS_CASES", CASES)).unwrap_or(usize::MAX)
+}
+
+fn is_default() -> bool {
+    cases() as u64 == CASES
 }
 
 fn only() -> Option<String> {
@@ -122,7 +139,9 @@ fn judged(original: &Original, entry: &Entry) -> Found {
         (_, Truth::Open(_, document))
             if original::is_wider(&original.document, document)
                 || is_explained(original, entry)
-                || known::is_true(original.kind, document) =>
+                || known::is_true(original.kind, document)
+                // The orbit that proves a description's fate.
+                || entry.place.starts_with("proof.") && known::is_true("orbit", &document["proof"]) =>
         {
             Found::True
         }
@@ -133,11 +152,16 @@ fn judged(original: &Original, entry: &Entry) -> Found {
 /// Whether `true.json` has a reason why a document with this change is true.
 fn is_explained(original: &Original, entry: &Entry) -> bool {
     let reasons: Vec<Value> = serde_json::from_str(include_str!("true.json")).unwrap();
-    let is_in = |list: &Value, own: &str| list.is_null() || list.as_array().unwrap().iter().any(|one| own == one);
+    let list = |list: &Value, is_own: &dyn Fn(&str) -> bool| {
+        list.is_null() || list.as_array().unwrap().iter().any(|one| is_own(one.as_str().unwrap()))
+    };
+    let is_in = |all: &Value, own: &str| list(all, &|one| one == own);
+    let is_place =
+        |one: &str| entry.place.strip_suffix(one).is_some_and(|outer| outer.is_empty() || outer.ends_with('.'));
     reasons.iter().any(|reason| {
         is_in(&reason["kinds"], original.kind)
             && is_in(&reason["of"], &original.name)
-            && is_in(&reason["places"], &entry.place)
+            && list(&reason["places"], &is_place)
             && is_in(&reason["what"], entry.what.trim_end_matches(", told anew"))
     })
 }
@@ -215,7 +239,7 @@ fn other_shapes(originals: &[Original]) -> Vec<(usize, Entry)> {
     let mut entries = Vec::new();
     for (i, original) in originals.iter().enumerate() {
         for shapes::Shape { place, what, text } in shapes::shapes(original) {
-            if cases() > 1 || seen.insert((place.clone(), what)) {
+            if !is_default() || seen.insert((place.clone(), what)) {
                 let (of, family) = (original.name.clone(), what.to_owned());
                 let (what, why, truth) = (family.clone(), "no schema has it", Truth::Unreadable);
                 entries.push((i, Entry { of, family, place, what, why, text, truth }));
@@ -254,7 +278,7 @@ fn added(originals: &[Original], places: &BTreeSet<String>) -> Vec<(usize, Entry
         let schema = schemas::read(name);
         for property in schemas::properties(&schema) {
             let place = place_of(&property);
-            if places.contains(&place) {
+            if places.contains(&place) || is_of_another_kind(original.kind, &place) {
                 continue;
             }
             let mut document = original.document.clone();
@@ -280,7 +304,7 @@ fn added(originals: &[Original], places: &BTreeSet<String>) -> Vec<(usize, Entry
 /// All that is made of the documents of a kind.
 fn made(originals: &[Original]) -> Vec<(usize, Entry)> {
     let mut vocabulary = Vocabulary::new();
-    documents::all().iter().for_each(|original| changes::learn(&original.document, &mut vocabulary));
+    originals.iter().for_each(|original| changes::learn(&original.document, &mut vocabulary));
     let mut entries = leaves(originals, &vocabulary);
     let places: BTreeSet<String> = entries.iter().map(|(_, entry)| entry.place.clone()).collect();
     entries.extend(forgeries(originals));
@@ -294,20 +318,31 @@ fn made(originals: &[Original]) -> Vec<(usize, Entry)> {
     entries
 }
 
+/// Documents with a hyperbolic set are a kind of their own.
+fn is_of_another_kind(kind: &str, place: &str) -> bool {
+    kind == "chaos" && place.starts_with("hyperbolic")
+}
+
 /// Of every schema of a kind each key is changed, or added where no document has it.
 fn assert_complete(kind: &str, entries: &[(usize, Entry)]) {
     let places: BTreeSet<&str> = entries.iter().map(|(_, entry)| entry.place.as_str()).collect();
     for name in schemas_of(kind) {
         let properties = schemas::properties(&schemas::read(&name));
         assert!(properties.len() > 3, "{name}");
-        let missed =
-            properties.iter().map(|property| place_of(property)).find(|place| !places.contains(place.as_str()));
+        let missed = properties
+            .iter()
+            .map(|property| place_of(property))
+            .find(|place| !places.contains(place.as_str()) && !is_of_another_kind(kind, place));
         assert_eq!(missed, None, "{name}");
     }
 }
 
 fn originals(kind: &str) -> Vec<Original> {
-    let all: Vec<Original> = documents::all().into_iter().filter(|original| original.kind == kind).collect();
+    let is_computed = |original: &Original| {
+        !NOT_COMPUTED.contains(&original.name.as_str()) && (kind != "shadow" || original.events().len() <= 60)
+    };
+    let all = documents::all().into_iter().filter(|original| original.kind == kind && is_computed(original));
+    let all: Vec<Original> = all.collect();
     assert!(!all.is_empty(), "no document of the kind {kind}");
     all
 }
@@ -315,7 +350,7 @@ fn originals(kind: &str) -> Vec<Original> {
 /// Judges what is made of the documents of a kind, and writes it to `target/corpus`.
 fn judge(kind: &str) {
     let originals = originals(kind);
-    let share = SLOW.iter().find(|(slow, _)| *slow == kind && cases() == 1).map_or(1, |(_, share)| *share);
+    let share = SLOW.iter().find(|(slow, _)| *slow == kind && is_default()).map_or(1, |(_, share)| *share);
     let (mut counts, mut wrong, mut lines) = (BTreeMap::new(), Vec::new(), String::new());
     for (i, entry) in made(&originals) {
         let original = &originals[i];
@@ -388,24 +423,11 @@ each_kind! {
     no_false_list_is_confirmed: "list",
 }
 
-/// True documents that the computation does not find true: of a start that is the scene's own, of one impact, which other starts have as
-/// well, up to a time, and of a harmonic that vanishes at an end. Nor does it find the start of long chaotic orbits in 320 bits.
-const NOT_COMPUTED: [&str; 5] = [
-    "shadow from a rest",
-    "shadow of one impact",
-    "shadow up to a time",
-    "orbits that may be symmetric",
-    "orbits of harmonics that cancel",
-];
-
 /// The computation that judges what is confirmed all the same has the documents for true as they are, and with narrower bounds elsewhere not.
 #[test]
 fn the_independent_computation_confirms_true_documents_and_no_false_ones() {
     for original in ["orbit", "shadow", "periodic", "two-impact"].into_iter().flat_map(originals) {
         let (name, document) = (&original.name, &original.document);
-        if original.events().len() > 60 || NOT_COMPUTED.contains(&name.as_str()) {
-            continue;
-        }
         assert!(truth::is_true(document), "{name}");
         for path in ["/events/0/time", "/orbits/0/impacts/0/velocity"] {
             let Some([lower, _]) = document.pointer(path).and_then(numbers::bounds) else { continue };

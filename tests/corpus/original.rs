@@ -192,8 +192,8 @@ pub fn is_wider(of: &Value, document: &Value) -> bool {
     let list = |path: String| path.rsplit_once('[').map_or(path.clone(), |(list, _)| list.to_owned());
     let lists: BTreeSet<String> = changed(of, document).into_iter().map(list).collect();
     lists.iter().all(|path| {
-        let pointer = path.replace('[', "/").replace(']', "").replace('.', "/");
-        let [own, other] = [of, document].map(|document| document.pointer(&format!("/{pointer}")).and_then(bounds));
+        let pointer = format!("/{path}").replace("/[", "/").replace(['[', '.'], "/").replace(']', "");
+        let [own, other] = [of, document].map(|document| document.pointer(&pointer).and_then(bounds));
         let is_datum =
             ["scene", "over", "values"].iter().any(|key| path.split(['.', '[', ']']).any(|step| step == *key));
         !is_datum && own.zip(other).is_some_and(|([a, b], [low, high])| low <= a && b <= high)

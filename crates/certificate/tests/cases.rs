@@ -20,7 +20,7 @@ use crate::environment::number;
 use crate::recorded::{self, text};
 
 /// Cases of one file that are judged by default.
-const CASES: u64 = 8;
+const CASES: u64 = 4;
 
 /// A document, and what is right of it.
 struct Case {
@@ -113,9 +113,7 @@ fn all(schema: &str) -> Vec<Case> {
 fn judge(schema: &str) {
     let (mut wrong, mut lines) = (Vec::new(), String::new());
     for Case { name, file, own, lines: document, is_true } in all(schema) {
-        let since = std::time::Instant::now();
         let (found, message, names) = judged(&document, file["work"].as_u64());
-        println!("{:?} {name}", since.elapsed());
         let only = own["verdict"].as_str().or(is_true.then_some("confirmed"));
         let named = |key: &str| own[key].as_array().into_iter().flatten().filter_map(Value::as_str);
         let is_named = |key: &str| names.iter().any(|own| own == key);
@@ -129,7 +127,7 @@ fn judge(schema: &str) {
         if !is_right {
             wrong.push(format!("{name}: {found}: {message}; {own}"));
         }
-        let is_true = only == Some("confirmed");
+        let is_true = is_true || only == Some("confirmed");
         let entry = json!({
             "kind": schema, "of": name, "family": "a file", "place": "", "what": file["what"], "why": file["why"],
             "truth": if is_true { "true" } else { "false" }, "check": if is_true { "true" } else { found }, "text": text(&document),
