@@ -27,8 +27,8 @@ Amount = namedtuple(
     "intervals shadowed depths",
 )
 FULL = Amount(200, 2000, 60, 200, 200, 60, 200, 60, 200, 40, 1000, None)
-# Eight scenes are judged in all ways, ten straddle all branches; near grazes of the least, a middle and the greatest depth.
-QUICK = Amount(20, 0, 8, 60, 8, 20, 8, 20, 10, 4, 60, (3, 12, 30))
+# Eight scenes are judged in all ways, ten straddle all branches; near grazes of the least and the greatest depth.
+QUICK = Amount(20, 0, 8, 60, 8, 20, 8, 20, 10, 4, 60, (3, 30))
 INTERVAL_IMPACTS = 20
 # Bits that distinguish 10^-60 from 0, and end soon where it is undecided.
 STRADDLING_BITS = 1024
