@@ -88,7 +88,7 @@ PARTS = [
           f"{MANY} {TEST} --features png,pdf,parquet --lib --bins --tests -- --include-ignored && {TEST} --doc"
           f" && cargo test {' '.join(PROFILE)} -p impact-pair -p impact-pair-tests -p impact-pair-cli --no-default-features"
           f" && {TEST} --benches && {FRESH} {TEST} --test library straddle:: -- --nocapture"
-          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && CORPUS_CASES=${{CORPUS_CASES:-40}} {TEST} --test library corpus::"
+          f" && {CROSSED} {TEST} --test truth crossings:: -- --nocapture && CORPUS_CASES=${{CORPUS_CASES:-10}} {TEST} --test library corpus::"
           f" && PROPTEST_CASES=100000 CORPUS_CASES=all {TEST} --test recorded", ("program",)),
     # After the tests it is the other examples that are left to build.
     cargo("lints", f"cargo build {ALL} {TARGETS}" if LINTED else f"{LINT} {TARGETS} -- -D warnings",
