@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::effort::effort;
 use crate::environment::number;
-use crate::recorded::{all, all_that_are, text};
+use crate::recorded::{all, all_that_are, document, text};
 use crate::schemas;
 
 /// The result of `check`; `None` where the document is refused as it is read.
@@ -216,4 +216,14 @@ fn documents_are_confirmed_in_every_spelling() {
         }
     }
     assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// A list of documents with a text after it is refused.
+#[test]
+fn r32_nothing_comes_after_a_list_of_documents() {
+    let list = json!(document("two impacts")).to_string();
+    assert!(Claims::parse(&list).is_ok());
+    for more in [&list[..], "{}", "1", "x"] {
+        assert!(Claims::parse(&format!("{list}\n{more}")).is_err(), "{more}");
+    }
 }
