@@ -1,5 +1,5 @@
-//! Every arithmetic says the same, as far as it goes: of the figures, of starts that straddle branches, 1e15 periods after the start of time,
-//! of chaos over 3,000 impacts at 100 digits, and of intervals. `validation/arb` and `validation/truth` say that it is right.
+//! All arithmetics list the same impacts, each as far as it goes: the figures, starts that straddle branches, starts 1e15 periods after
+//! time 0, 3,000 chaotic impacts at 100 digits, and intervals of data. `validation/arb` and `validation/truth` judge that these are right.
 
 use impact_pair::Scene;
 use impact_pair::contact::Reason;
@@ -8,6 +8,7 @@ use impact_pair::orbit::{Arithmetic, INARI, Impact, Orbit, Outcome, Progress, Se
 use impact_pair::pair::Wall;
 use num_rational::BigRational;
 
+use crate::setup;
 use crate::straddle::starts::{Dice, FAMILIES, case};
 
 /// An arithmetic and the digits asked of it.
@@ -121,11 +122,10 @@ fn stable(scene: &Scene, impacts: u64, what: &str) -> Vec<Run> {
 }
 
 fn figure(number: u32) -> Scene {
-    let path = format!("{}/scenes/figure-{number}.toml", impact_pair_tests::ROOT);
-    Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap()
+    setup::scene(&format!("figure-{number}"))
 }
 
-/// A scene of `tau = 0.3`, or another one, from time 0 on.
+/// The scene of one harmonic, with the entries of its tables `pair` and `start`.
 fn scene(amplitude: &str, frequency: &str, phase: &str, pair: &str, start: &str) -> Scene {
     let text = format!(
         "excitation = {{ amplitude = \"{amplitude}\", frequency = \"{frequency}\", phase = \"{phase}\" }}\n\

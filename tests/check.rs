@@ -13,7 +13,7 @@ use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 
-use crate::corpus::recorded;
+use crate::corpus::document as recorded;
 
 /// The orbit JSON of a scene of one harmonic, with all its events.
 fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) -> Value {

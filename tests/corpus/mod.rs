@@ -17,6 +17,8 @@ mod motions;
 mod numbers;
 mod original;
 mod outcomes;
+#[path = "../../crates/certificate/tests/recorded.rs"]
+mod recorded;
 mod scenes;
 #[path = "../../crates/certificate/tests/schemas.rs"]
 mod schemas;
@@ -37,7 +39,7 @@ use serde_json::{Value, json};
 
 use crate::environment::number;
 use changes::Vocabulary;
-pub use documents::document as recorded;
+pub use documents::document;
 use original::{Forged, Forgery, Original, are_named, changed};
 
 /// All forgeries, by what they forge.

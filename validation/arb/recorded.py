@@ -30,12 +30,12 @@ def read(path):
 
 
 def random_scenes(family, count):
-    """So many scenes of a family."""
+    """The first `count` scenes of a family."""
     return list(islice((tables for name, tables in read(HERE / "random.jsonl") if name == family), count))
 
 
 def straddling_scenes(count):
-    """So many scenes, the families in turn; without drift the second impact is as many forcing periods away as the drift is small."""
+    """The first `count` scenes, the families in turn. Without drift one impact is asked: the second one comes too many forcing periods later."""
     found = (Straddling(family, tables, 1 if family == "no drift" else IMPACTS) for family, tables in read(STRADDLING) if family not in OTHERS)
     return list(islice(found, count))
 

@@ -2,10 +2,12 @@
 //!
 //! A file holds `what` (the claim), `why` (it is false, or true), and `document` (its lines: one, or those of JSON Lines) or `of`, the
 //! name of a recorded document. `cases` are documents made of it by a `change` each, a list of `[word, path, value]` with the words
-//! `set`, `insert`, `copy` (the value is the path to copy from) and `drop`; without `cases` it is the document itself. Where only one
-//! `verdict` is right it is named: `unreadable`, `refuted`, `undecided`, `confirmed`; `says` is a part of the message, `named` and
-//! `judged` are keys that must, or must not, be named as not checked; where only the claims `false` are, they may be named instead. `work` is the effort; a file or a case that is `deep` takes
-//! seconds, and is read with `CORPUS_CASES=all` alone. The verified checker judges the same documents, in `target/corpus`.
+//! `set`, `insert`, `copy` (the value is the path to copy from) and `drop`. Without `cases` it is the document itself.
+//!
+//! What is right of a case: `verdict`, where only one is (`unreadable`, `refuted`, `undecided`, `confirmed`); `says`, a part of the
+//! message; `named` and `judged`, keys that are, or are not, among those not checked. A document of which only the claims `false` are
+//! false may be confirmed where all these are named as not checked. `work` is the effort of the check. A file or a case that is `deep`
+//! takes seconds: `CORPUS_CASES=all` alone reads it. The verified checker judges the same documents, in `target/corpus`.
 
 use std::fs;
 use std::path::Path;

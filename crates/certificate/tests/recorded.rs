@@ -6,8 +6,12 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+/// The folder of the documents, from any package of the workspace.
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/documents")
+    let mut folders = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .map(|folder| folder.join("crates/certificate/tests/documents"));
+    folders.find(|folder| folder.is_dir()).expect("the folder of the documents")
 }
 
 fn read(file: &Path) -> Vec<Value> {
