@@ -311,6 +311,10 @@ mod tests {
         assert_eq!(decimal_bounds_f64(f64::NAN, 1.0), ["-inf", "inf"]);
         assert_eq!(decimal_bounds_f64(f64::NEG_INFINITY, 2.5), ["-inf", "2.5"]);
         assert_eq!(decimal_bounds_f64(3.0, -0.0), ["0", "3"]);
+        // Of 1e-300 the forty digits that are printed are not all.
+        let exact = Dyadic::from_f64(1e-300).unwrap().to_rational();
+        assert!(value(&decimal_bounds_f64(1e-300, f64::INFINITY)[0]) < exact);
+        assert!(exact < value(&decimal_bounds_f64(f64::NEG_INFINITY, 1e-300)[1]));
         let tiny = Enclosure::new(dyadic(-1, -1 << 40), dyadic(1, 1 << 40)).unwrap();
         assert_eq!(decimal_bounds(&tiny), ["-1e-330985980541", "1e330985980543"]); // 2^(2^40) = 10^330985980541.9...
     }

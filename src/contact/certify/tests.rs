@@ -27,7 +27,35 @@ impl<const WIDE: bool> Verifier for Keeper<'_, WIDE> {
     }
 }
 
+/// Asks whether the bracket of a proposal is the first contact on the piece before its own, and on the piece after it.
+struct Misplaced<'a, const WIDE: bool>(Bounds<'a, WIDE>);
+
+impl<const WIDE: bool> Verifier for Misplaced<'_, WIDE> {
+    type Answer = Option<[Result<(), Doubt>; 2]>;
+    fn monotone(&self, _: &Iterate) -> Self::Answer {
+        None
+    }
+    fn hop(&self, _: &Iterate, _: &SmallAngle) -> Self::Answer {
+        None
+    }
+    fn piece(&self, iterate: &Iterate, extrema: &Extrema, k: f64) -> Self::Answer {
+        let arrival = self.0.bracket(iterate)?.arrival;
+        Some([k - 1.0, k + 1.0].map(|k| self.0.is_first(extrema, k, &arrival)))
+    }
+    fn nothing(&self, _: NoProposal) -> Self::Answer {
+        None
+    }
+}
+
 proptest! {
+    /// Lemma C4 needs the contact between the last two extrema of its kind: with another number of the piece it is refused.
+    #[test]
+    fn a_contact_is_refused_on_the_pieces_beside_its_own(case in cases()) {
+        let (flight, margins) = (case.flight(), case.margins());
+        let verdicts = propose::<Kernel, _>(&flight, &Misplaced(Bounds::<true>::new(&flight, &margins, case.radii)));
+        prop_assert!(verdicts.is_none_or(|both| both.iter().all(Result::is_err)), "{verdicts:?}");
+    }
+
     /// Lemma C3 claims one zero of the formula in the bracket, whether it is the first contact or not.
     #[test]
     fn a_bracket_holds_one_zero_with_its_velocity_and_sine(case in cases()) {
