@@ -6,6 +6,7 @@ from typing import final
 __all__ = [
     "CELL_LIMITS",
     "GLOBAL_LIMITS",
+    "PANELS",
     "PROGRAM",
     "SCENES",
     "Atlas",
@@ -41,6 +42,8 @@ __all__ = [
 ]
 __version__: str
 PROGRAM: str
+# letter, title, quantities on the axes
+PANELS: list[tuple[str, str, tuple[str, str]]]
 GLOBAL_LIMITS: tuple[int, int, int]
 CELL_LIMITS: tuple[int, int, int]
 SCENES: list[str]

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from . import _kinds, _manifold
+from . import _core, _kinds, _manifold
 from ._kinds import BLUE, CLASSES, GREEN, VERMILION, class_of, colours_of, kinds_of
 from .answers import Manifold
 from .bounds import middles, outward
@@ -54,17 +54,9 @@ MOST_NAMED = 12
 WALLS = {-1: "impact on the left wall", 1: "impact on the right wall"}
 #: Symbols of what is no impact, as those of the command line.
 STOPS = {"graze": "D", "rest": "s", "release": "^"}
-#: The paper's names of the panels.
-TITLES = {
-    "a": "time–displacement",
-    "b": "time–velocity",
-    "c": "phase plane, relative",
-    "d": "phase plane, absolute",
-    "e": "switch-planes, relative",
-    "f": "switch-planes, absolute",
-    "g": "Poincaré section of $Σ_-$, the left wall",
-    "h": "Poincaré section of $Σ_+$, the right wall",
-}
+#: The paper's names of the panels, and the quantities on their axes, by letter.
+TITLES = {letter: title for letter, title, _ in _core.PANELS}
+QUANTITIES = {letter: quantities for letter, _, quantities in _core.PANELS}
 #: Names of keys on axes, as on those of the command line's pictures.
 AXES = {
     "amplitude": "amplitude of the box A [length]",
@@ -83,6 +75,12 @@ def _named(key: str) -> str:
     """Return the name of a key; of a term with its number."""
     plain, _, term = key.rpartition(".")
     return f"{AXES[plain]}, term {term}" if term.isdigit() else AXES[key]
+
+
+def _label(ax: Any, letter: str) -> None:
+    """Name the quantities on the axes of a panel."""
+    across, up = QUANTITIES[letter]
+    ax.set(xlabel=across, ylabel=up)
 
 
 def _inches(width: Width) -> float | None:
@@ -208,7 +206,8 @@ def displacement(orbit: Orbit, ax: Any, cycles: float = 8) -> None:
     for wall in _walls(orbit):
         ax.axhline(wall, color="black", linewidth=1.2)
     _stops(orbit, ax, found.t, lambda t, y: (t, y))
-    ax.set(xlabel="t [time]", ylabel="y [length]", xlim=found.t[[0, -1]])
+    _label(ax, "a")
+    ax.set(xlim=found.t[[0, -1]])
 
 
 @_drawn
@@ -218,7 +217,8 @@ def velocity(orbit: Orbit, ax: Any, cycles: float = 8) -> None:
     ax.fill_between(found.t, *found.v_bounds.T, color=BLUE, alpha=0.3, linewidth=0)
     _curve(orbit, found.t, found.t, found.v, ax)
     _stops(orbit, ax, found.t, lambda t, y: (t, np.zeros_like(y)))
-    ax.set(xlabel="t [time]", ylabel="y′ [length/time]", xlim=found.t[[0, -1]])
+    _label(ax, "b")
+    ax.set(xlim=found.t[[0, -1]])
 
 
 @_drawn
@@ -229,7 +229,7 @@ def phase_plane(orbit: Orbit, ax: Any, cycles: float = 40) -> None:
         ax.axvline(wall, color="black", linewidth=1.2)
     _curve(orbit, found.t, found.y, found.v, ax)
     _stops(orbit, ax, found.t, lambda _, y: (y, np.zeros_like(y)))
-    ax.set(xlabel="y [length]", ylabel="y′ [length/time]")
+    _label(ax, "c")
 
 
 @_drawn
@@ -238,7 +238,7 @@ def absolute_phase_plane(orbit: Orbit, ax: Any, cycles: float = 40) -> None:
     found = orbit(_times(orbit, cycles))
     moved, speed = _shaking(orbit, found.t)
     _curve(orbit, found.t, found.y + moved, found.v + speed, ax)
-    ax.set(xlabel="x = y + E(t) [length]", ylabel="x′ [length/time]")
+    _label(ax, "d")
 
 
 def _impacts(orbit: Orbit, ax: Any, x: Doubles, y: Doubles, sides: tuple[int, ...]) -> None:
@@ -260,7 +260,7 @@ def _phases(orbit: Orbit) -> Doubles:
 def switch_plane(orbit: Orbit, ax: Any, sides: tuple[int, ...] = (-1, 1)) -> None:
     """Draw (e): y' [length/time] before the impacts over W t + tau mod 2 pi [rad], (18)-(21)."""
     _impacts(orbit, ax, _phases(orbit), orbit.v, sides)
-    ax.set(xlabel="Ωt + τ mod 2π [rad]", ylabel="y′ before the impact [length/time]")
+    _label(ax, "e")
     _angles(ax, "x")
 
 
@@ -270,7 +270,7 @@ def absolute_switch_plane(orbit: Orbit, ax: Any) -> None:
     moved, speed = _shaking(orbit, orbit.t)
     wall = _walls(orbit)[1] * orbit.sides
     _impacts(orbit, ax, wall + moved, orbit.v + speed, (-1, 1))
-    ax.set(xlabel="x [length]", ylabel="x′ before the impact [length/time]")
+    _label(ax, "f")
 
 
 @_drawn

@@ -54,6 +54,7 @@ mod _core {
         module.add("SCENES", super::scene::names())?;
         module.add("GLOBAL_LIMITS", super::chaos::limits(&GlobalSettings::default()))?;
         module.add("CELL_LIMITS", super::chaos::limits(&GlobalSettings::of_cell()))?;
+        module.add("PANELS", super::pictures::captions())?;
         module.add("PROGRAM", impact_pair::json::PROGRAM)
     }
 }

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use impact_pair::orbit::{BITS, Orbit};
-use impact_pair_plot::orbit::{Figure, Panel};
+use impact_pair_plot::orbit::{Caption, Figure, Panel};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
@@ -10,6 +10,17 @@ use crate::errors::{Fault, accepted};
 use crate::orbit::{RunOptions, requested_run};
 use crate::scene::Scene;
 use crate::watched::watched;
+
+/// The letter, title and quantities on the axes of a panel.
+type PanelCaption = (char, &'static str, [&'static str; 2]);
+
+/// The captions of all panels, in the order of the paper.
+pub fn captions() -> [PanelCaption; 8] {
+    Panel::ALL.map(|panel| {
+        let Caption { letter, title, quantities, .. } = panel.caption();
+        (letter, title, quantities)
+    })
+}
 
 /// The panels of a scene as SVG, whether all that is drawn is certified, whether Ctrl-C ended the orbit, and how it ended.
 #[pyfunction]
@@ -22,7 +33,7 @@ pub fn plot(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, bool, bool, String)> {
     let scene = scene.get().scene.clone();
-    let panel = |letter: char| Panel::ALL.into_iter().find(|panel| panel.letter() == letter);
+    let panel = |letter: char| Panel::ALL.into_iter().find(|panel| panel.caption().letter == letter);
     let found: Option<Vec<Panel>> = panels.chars().map(panel).collect();
     let found = found.filter(|found| !found.is_empty());
     let panels =

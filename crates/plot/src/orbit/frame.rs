@@ -11,7 +11,7 @@ use crate::picture::Axis;
 const WALL_MARGIN: f64 = 0.08;
 
 /// A panel of the paper's figures 12-17.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Panel {
     /// (a) y over t
@@ -52,11 +52,6 @@ impl Panel {
         Self::SectionLeft,
         Self::SectionRight,
     ];
-
-    /// Whether the panel shows only impacts.
-    pub fn is_section(self) -> bool {
-        self >= Self::SwitchPlane
-    }
 }
 
 /// A panel of a trace: its axes and the content drawn on them.
@@ -72,43 +67,71 @@ pub struct Frame<'t> {
     pub is_magnified: bool,
 }
 
-impl Panel {
-    /// The letter of the paper.
-    pub fn letter(self) -> char {
-        (b'a' + self as u8) as char
-    }
+/// What the content of a panel is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A curve over time.
+    Time,
+    /// A curve in a plane of two quantities.
+    Plane,
+    /// Impacts alone, as points.
+    Section,
+}
 
-    /// The name of the panel in the paper.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Displacement => "time–displacement",
-            Self::Velocity => "time–velocity",
-            Self::PhasePlane => "phase plane, relative",
-            Self::AbsolutePhasePlane => "phase plane, absolute",
-            Self::SwitchPlane => "switch-planes, relative",
-            Self::AbsoluteSwitchPlane => "switch-planes, absolute",
-            Self::SectionLeft => "Poincaré section of $Σ_-$, the left wall",
-            Self::SectionRight => "Poincaré section of $Σ_+$, the right wall",
-        }
-    }
-
+/// What the paper says of a panel.
+#[derive(Clone, Copy, Debug)]
+pub struct Caption {
+    /// The letter of the panel in figures 12-17.
+    pub letter: char,
+    /// The name of the panel.
+    pub title: &'static str,
     /// The quantities on the axes, with their units.
-    pub fn quantities(self) -> [&'static str; 2] {
-        match self {
-            Self::Displacement => ["$t$ [time]", "$y$ [length]"],
-            Self::Velocity => ["$t$ [time]", "$y′$ [length/time]"],
-            Self::PhasePlane => ["$y$ [length]", "$y′$ [length/time]"],
-            Self::AbsolutePhasePlane => ["$x = y + E(t)$ [length]", "$x′$ [length/time]"],
-            Self::SwitchPlane | Self::SectionLeft | Self::SectionRight => {
-                ["$Ωt + τ$ mod 2π [rad]", "$y′$ before the impact [length/time]"]
+    pub quantities: [&'static str; 2],
+    /// What the content is made of.
+    pub kind: Kind,
+}
+
+impl Panel {
+    /// The letter, title, axes and kind of the panel.
+    pub fn caption(self) -> Caption {
+        let phase = "$Ωt + τ$ mod 2π [rad]";
+        let before = "$y′$ before the impact [length/time]";
+        let (letter, title, quantities, kind) = match self {
+            Self::Displacement => ('a', "time–displacement", ["$t$ [time]", "$y$ [length]"], Kind::Time),
+            Self::Velocity => ('b', "time–velocity", ["$t$ [time]", "$y′$ [length/time]"], Kind::Time),
+            Self::PhasePlane => ('c', "phase plane, relative", ["$y$ [length]", "$y′$ [length/time]"], Kind::Plane),
+            Self::AbsolutePhasePlane => {
+                ('d', "phase plane, absolute", ["$x = y + E(t)$ [length]", "$x′$ [length/time]"], Kind::Plane)
             }
-            Self::AbsoluteSwitchPlane => ["$x$ [length]", "$x′$ before the impact [length/time]"],
-        }
+            Self::SwitchPlane => ('e', "switch-planes, relative", [phase, before], Kind::Section),
+            Self::AbsoluteSwitchPlane => {
+                let quantities = ["$x$ [length]", "$x′$ before the impact [length/time]"];
+                ('f', "switch-planes, absolute", quantities, Kind::Section)
+            }
+            Self::SectionLeft => ('g', "Poincaré section of $Σ_-$, the left wall", [phase, before], Kind::Section),
+            Self::SectionRight => ('h', "Poincaré section of $Σ_+$, the right wall", [phase, before], Kind::Section),
+        };
+        Caption { letter, title, quantities, kind }
+    }
+
+    /// Whether the panel shows only impacts.
+    pub fn is_section(self) -> bool {
+        self.caption().kind == Kind::Section
     }
 
     /// Whether one axis is time.
     pub fn is_of_time(self) -> bool {
-        matches!(self, Self::Displacement | Self::Velocity)
+        self.caption().kind == Kind::Time
+    }
+
+    /// Whether the panel shows the impacts on a wall.
+    fn has_impacts_on(self, wall: Wall) -> bool {
+        match self {
+            Self::SwitchPlane | Self::AbsoluteSwitchPlane => true,
+            Self::SectionLeft => wall == Wall::Left,
+            Self::SectionRight => wall == Wall::Right,
+            Self::Displacement | Self::Velocity | Self::PhasePlane | Self::AbsolutePhasePlane => false,
+        }
     }
 }
 
@@ -117,7 +140,7 @@ impl<'t> Frame<'t> {
     pub fn new(panel: Panel, trace: &'t Trace, cycles: u32) -> Self {
         // After the last proved event the rest of the requested time is shown as undecided.
         let end = if trace.is_open { f64::from(cycles) } else { f64::from(cycles).min(trace.known) };
-        Self { panel, letter: panel.letter(), trace, begin: 0.0, end, is_magnified: false }
+        Self { panel, letter: panel.caption().letter, trace, begin: 0.0, end, is_magnified: false }
     }
 
     /// The panel with another letter than the paper's.
@@ -128,13 +151,13 @@ impl<'t> Frame<'t> {
     /// The heading of the panel: its letter, and its name in the paper.
     pub fn heading(&self) -> String {
         let magnified = if self.is_magnified { ", magnified" } else { "" };
-        format!("({})  {}{magnified}", self.letter, self.panel.title())
+        format!("({})  {}{magnified}", self.letter, self.panel.caption().title)
     }
 
     /// The time panel between two times.
     pub fn magnified(panel: Panel, trace: &'t Trace, [from, to]: [f64; 2]) -> Self {
         let turns = |time: f64| (time - trace.start) / trace.period;
-        Self { panel, letter: panel.letter(), trace, begin: turns(from), end: turns(to), is_magnified: true }
+        Self { panel, letter: panel.caption().letter, trace, begin: turns(from), end: turns(to), is_magnified: true }
     }
 
     /// The place of a state on this panel.
@@ -143,7 +166,12 @@ impl<'t> Frame<'t> {
             Panel::Displacement => [point.time, point.displacement],
             Panel::Velocity => [point.time, point.velocity],
             Panel::PhasePlane => [point.displacement, point.velocity],
-            _ => [point.absolute.0, point.absolute.1],
+            // Panels of impacts alone have no curves.
+            Panel::AbsolutePhasePlane
+            | Panel::SwitchPlane
+            | Panel::AbsoluteSwitchPlane
+            | Panel::SectionLeft
+            | Panel::SectionRight => [point.absolute.0, point.absolute.1],
         }
     }
 
@@ -154,7 +182,11 @@ impl<'t> Frame<'t> {
             Panel::Displacement => [1.0, point.velocity.middle],
             Panel::Velocity => [1.0, acceleration],
             Panel::PhasePlane => [point.velocity.middle, acceleration],
-            _ => [point.absolute.1.middle, absolute],
+            Panel::AbsolutePhasePlane
+            | Panel::SwitchPlane
+            | Panel::AbsoluteSwitchPlane
+            | Panel::SectionLeft
+            | Panel::SectionRight => [point.absolute.1.middle, absolute],
         };
         rate.map(|rate| rate * self.trace.period)
     }
@@ -184,16 +216,12 @@ impl<'t> Frame<'t> {
 
     /// The impacts shown, each with the number of impacts before it.
     pub fn crossings(&self) -> impl Iterator<Item = (usize, Wall, [Span; 2])> {
-        let shown = move |(_, crossing): &(usize, &Crossing)| match self.panel {
-            Panel::SwitchPlane | Panel::AbsoluteSwitchPlane => true,
-            Panel::SectionLeft => crossing.wall == Wall::Left,
-            Panel::SectionRight => crossing.wall == Wall::Right,
-            _ => false,
-        };
+        let shown = move |(_, crossing): &(usize, &Crossing)| self.panel.has_impacts_on(crossing.wall);
         self.trace.crossings.iter().enumerate().filter(shown).map(|(impacts, crossing)| {
-            let place = match self.panel {
-                Panel::AbsoluteSwitchPlane => [crossing.absolute.0, crossing.absolute.1],
-                _ => [crossing.phase, crossing.velocity],
+            let place = if self.panel == Panel::AbsoluteSwitchPlane {
+                [crossing.absolute.0, crossing.absolute.1]
+            } else {
+                [crossing.phase, crossing.velocity]
             };
             (impacts, crossing.wall, place)
         })
@@ -224,7 +252,12 @@ impl<'t> Frame<'t> {
         match self.panel {
             Panel::Displacement => Some((1, walls)),
             Panel::PhasePlane => Some((0, walls)),
-            _ => None,
+            Panel::Velocity
+            | Panel::AbsolutePhasePlane
+            | Panel::SwitchPlane
+            | Panel::AbsoluteSwitchPlane
+            | Panel::SectionLeft
+            | Panel::SectionRight => None,
         }
     }
 

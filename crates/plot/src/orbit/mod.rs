@@ -12,7 +12,7 @@ mod trace;
 
 pub use figure::Figure;
 pub(crate) use frame::Frame;
-pub use frame::Panel;
+pub use frame::{Caption, Panel};
 pub(crate) use panel::{draw as panel, title};
 pub use recorder::{Recorder, end_of};
 pub use sheet::Sheet;

@@ -119,7 +119,7 @@ fn axes(frame: &Frame<'_>, area: &Canvas<'_>) -> Result<Plane, Box<dyn std::erro
         .x_label_area_size(48 * SCALE)
         .y_label_area_size(74 * SCALE)
         .build_cartesian_2d(x, y)?;
-    let [across, up] = frame.panel.quantities();
+    let [across, up] = frame.panel.caption().quantities;
     chart
         .configure_mesh()
         .x_desc(across)

@@ -116,7 +116,7 @@ impl Sheet<'_> {
     fn shown(&self) -> String {
         let letters = |is_in: &dyn Fn(Panel) -> bool| {
             let of: Vec<Panel> = self.panels.iter().copied().filter(|panel| is_in(*panel)).collect();
-            let letters: Vec<String> = of.iter().map(|panel| format!("({})", panel.letter())).collect();
+            let letters: Vec<String> = of.iter().map(|panel| format!("({})", panel.caption().letter)).collect();
             let is_row = of.len() > 2 && of.windows(2).all(|pair| pair[0] as u8 + 1 == pair[1] as u8);
             if is_row { format!("{}–{}", letters[0], letters[of.len() - 1]) } else { letters.join(", ") }
         };
