@@ -84,7 +84,6 @@ pub mod clock;
 pub mod contact;
 pub mod covering;
 pub mod describe;
-pub mod document;
 pub mod excitation;
 pub mod flight;
 pub mod impact;

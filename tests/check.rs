@@ -7,9 +7,8 @@ use std::sync::Mutex;
 use serde_json::{Value, json};
 
 use impact_pair::Scene;
-use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact};
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
 
@@ -27,7 +26,7 @@ fn certificate(amplitude: &str, start: &str, restitution: &str, impacts: u64) ->
 fn orbit(scene: &str) -> Value {
     let scene = Scene::parse(scene).unwrap();
     let settings = Settings { arithmetic: Arithmetic::Interval, attractor: false, ..scene.settings() };
-    serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
+    serde_json::to_value(Orbit::of(&scene, settings).unwrap().document()).unwrap()
 }
 
 /// The harmonic as two; of what is claimed to be one point, a release, it is claimed that it is within `10^-12` of it.
@@ -246,7 +245,7 @@ fn r53_impacts_of_a_chatter_up_to_a_time_are_listed() {
         ("54.363", 49, "rest"),
     ] {
         let settings = Settings { until: Some(Exact::parse(until).unwrap()), digits: 4, ..scene.settings() };
-        let document = document::orbit(scene.pair(), scene.start(), settings).unwrap();
+        let document = Orbit::of(&scene, settings).unwrap().document();
         let document = serde_json::to_value(document).unwrap();
         let events = document["events"].as_array().unwrap();
         let found =

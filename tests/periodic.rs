@@ -234,7 +234,6 @@ proptest! {
 /// of a chain, of flights without rests (T1, W1), do not have it: of such motions nothing is claimed (T12).
 #[test]
 fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
-    use impact_pair::document::two_impact;
     use impact_pair::orbit::{Outcome, Progress};
     use impact_pair::pair::Wall;
     use impact_pair::two_impact::{Problem, Unknown};
@@ -263,7 +262,7 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
     let answer = Problem::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
-    let document = two_impact(&start, &answer, Wall::Left);
+    let document = answer.document(&start, Wall::Left);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
     assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
     // A search that is not for all has nothing to exclude.

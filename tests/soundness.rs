@@ -323,7 +323,7 @@ fn r32_a_time_to_stop_at_of_many_digits_is_compared_exactly() {
     let listed = |until: &str| {
         let until = Some(until.parse().unwrap());
         let settings = Settings { until, arithmetic: Arithmetic::Bits(64), ..Settings::default() };
-        let orbit = impact_pair::document::orbit(scene.pair(), scene.start(), settings).unwrap();
+        let orbit = Orbit::of(&scene, settings).unwrap().document();
         let document = serde_json::to_value(orbit).unwrap();
         document["events"]
             .as_array()

@@ -8,7 +8,7 @@ use impact_pair::orbit::{Arithmetic, Dense, INARI, Impact, Orbit, Place, Setting
 use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
 use impact_pair::watch::Unwatched;
-use impact_pair::{Error, Scene, document};
+use impact_pair::{Error, Scene};
 use impact_pair_certificate::{Certificate, Verdict};
 use num_rational::BigRational;
 use serde_json::json;
@@ -148,7 +148,7 @@ fn r32_shadows_of_uncertain_direction_have_a_start_with_their_impacts() {
             shadows[kind] += 1;
             assert!(has_them(&scene, &near, &impacts), "{excitation} {time} {position} {velocity} {splice}: {near:?}");
             let settings = Settings { arithmetic: Arithmetic::Shadow, impacts: Some(10), splice, ..scene.settings() };
-            let written = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap()).to_string();
+            let written = json!(Orbit::of(&scene, settings).unwrap().document()).to_string();
             let verdict = Certificate::parse(&written).unwrap().check(&Unwatched).unwrap();
             assert!(!matches!(verdict, Verdict::Refuted(_)), "{verdict:?} {written}");
         }
@@ -209,7 +209,7 @@ fn a_start_outside_the_box_of_a_pair_is_refused_by_all_that_follow_it() {
     for arithmetic in arithmetics.into_iter().chain(inari) {
         let settings = Settings { arithmetic, ..Settings::default() };
         refused.push(Orbit::new(&pair, start, settings.clone()).err());
-        refused.push(document::orbit(&pair, start, settings).err());
+        refused.push(Orbit::new(&pair, start, settings).err());
     }
     refused.push(Shadow::new(&pair, start).err());
     refused.push(Trap::of_pair(&pair, start, 0, &Unwatched).err());

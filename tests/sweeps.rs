@@ -1,9 +1,8 @@
 //! Sweeps over what one of several terms has: points of one unit, phases of the reference, and periods in cycles or in time.
 
 use impact_pair::Scene;
-use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::orbit::Settings;
+use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
@@ -77,7 +76,7 @@ fn r32_phases_are_of_the_reference_whatever_is_the_fastest() {
             let [frequency, delay] = [harmonic.frequency(), harmonic.phase()].map(|x| x.enclose(64).mid_rad().0);
             let claimed = |time: f64| (frequency * time + delay).rem_euclid(turn);
             let settings = Settings { impacts: Some(8), ..Settings::default() };
-            let orbit = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+            let orbit = json!(Orbit::of(&scene, settings).unwrap().document());
             for (state, event) in
                 line["states"].as_array().unwrap().iter().zip(&orbit["events"].as_array().unwrap()[3..])
             {

@@ -3,7 +3,6 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use impact_pair::Scene;
-use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::periodic::Precision;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
@@ -184,7 +183,7 @@ fn r48_a_search_ends_at_the_limit_of_its_work() {
     let (few, all) = (found(1_000), found(TangencySettings::WORK));
     assert!(few.limited && !few.interrupted && !few.is_certified());
     assert!(!all.limited);
-    let document = document::tangency(&figure_14(), &few);
+    let document = few.document(&figure_14());
     assert!(document.limited && !document.certified);
 }
 

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
+use impact_pair::json::counted;
 use impact_pair::mapping::Word;
 use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
@@ -88,7 +88,7 @@ pub fn bifurcations(arguments: &BifurcationArguments) -> Result<Answer> {
     let text = match format {
         PeriodicFormat::Table => table(&scene, &diagram)?,
         PeriodicFormat::Json => {
-            let document = document::bifurcations(scene.start(), (word, cycles), &diagram).with_context(named)?;
+            let document = diagram.document(scene.start(), (word, cycles)).with_context(named)?;
             serde_json::to_string(&document)? + "\n"
         }
     };

@@ -10,7 +10,6 @@ use impact_pair::Scene;
 use impact_pair::chaos::{
     Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
 };
-use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{GivenBase, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
@@ -101,7 +100,7 @@ fn bases(path: &Path) -> Result<Vec<HSet>> {
     if read.bases.is_empty() {
         bail!("{} has no h-sets: its list \"bases\" is empty", named());
     }
-    Ok(document::bases(&read.bases))
+    Ok(read.bases.iter().map(HSet::from).collect())
 }
 
 /// Reads `KEY=LO..HI`, all of it at once, or `KEY=LO..HI:COUNT`, cell by cell.
@@ -159,18 +158,16 @@ impl Work<'_> {
         };
         let progress = Progress::stages(!self.files.quiet);
         let found = Chaos::of(&pair, scene.start(), &question, &progress).map_err(about)?;
-        let mut document = document::chaos(scene, over, &found);
-        document.scene_orbit = document.scene_orbit.filter(|_| !self.arguments.no_orbit);
-        let mut proved = None;
-        if self.arguments.hyperbolic {
-            let set = Hyperbolic::of(&pair, &found, &progress).map_err(about)?;
-            document = document::with_hyperbolic(document, &set);
-            progress.clear();
+        let set = self.arguments.hyperbolic.then(|| Hyperbolic::of(&pair, &found, &progress));
+        let set = set.transpose().map_err(about)?;
+        progress.clear();
+        if let Some(set) = &set {
             let left_out = set.as_ref().map_or_else(|none| none, |set| &set.left_out);
             table::left_out(left_out).iter().for_each(|line| note(self.files.quiet, line));
-            proved = set.ok();
         }
-        progress.clear();
+        let mut document = found.document(scene, over, set.as_ref());
+        document.scene_orbit = document.scene_orbit.filter(|_| !self.arguments.no_orbit);
+        let proved = set.and_then(Result::ok);
         let text = match self.format {
             PeriodicFormat::Json => serde_json::to_string(&document)? + "\n",
             PeriodicFormat::Table => heading(scene) + &table::horseshoe(&document, &found)?,
@@ -194,7 +191,7 @@ impl Work<'_> {
         progress.clear();
         let found =
             found.map_err(|error| scene::about(error, &[(over.key(), over.to_string())], &self.arguments.scene))?;
-        let document = document::cells(scene, &requested, &found);
+        let document = found.document(scene, &requested);
         let text = match self.format {
             PeriodicFormat::Json => one_a_line(&document, &["stretches"]) + "\n",
             PeriodicFormat::Table => heading(scene) + &table::stretches(&document)?,

@@ -8,8 +8,8 @@ use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, NoTrap};
-use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
+use impact_pair::json::counted;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 use impact_pair::watch::Watch;
@@ -77,7 +77,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let text = match format {
         PeriodicFormat::Table => table(&scene, found, &progress)?,
         PeriodicFormat::Json => {
-            serde_json::to_string(&document::cycles(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
+            serde_json::to_string(&Cycles::document(&scene, &arguments.impacts, found).with_context(named)?)? + "\n"
         }
     };
     let is_certified = found.is_ok_and(Cycles::is_certified);

@@ -7,9 +7,9 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::{DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
-use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::GlobalDocument;
+use impact_pair::json::counted;
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -116,7 +116,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     let progress = Progress::stages(!files.quiet);
     let found = Global::of(scene.pair(), &settings, &progress).with_context(named)?;
     progress.clear();
-    let document = document::global(&scene, &settings, &found).with_context(named)?;
+    let document = found.document(&scene, &settings).with_context(named)?;
     let text = match format {
         GlobalFormat::Table => table(&scene, &found, &document)?,
         GlobalFormat::Json => serde_json::to_string(&document)? + "\n",

@@ -4,9 +4,9 @@ use std::io::{self, BufWriter, Write};
 
 use clap::ValueEnum;
 use impact_pair::Scene;
-use impact_pair::document::{Ending, Event, EventKind, arithmetic_at_first, head};
-use impact_pair::json::{ArithmeticDocument, EventDocument, OrbitEnd, OrbitHead, write_orbit};
+use impact_pair::json::{EventDocument, OrbitEnd, write_orbit};
 use impact_pair::mapping::Mapping;
+use impact_pair::orbit::{Ending, Event, EventKind};
 use impact_pair::orbit::{Orbit, Settings};
 use serde::Serialize;
 
@@ -43,19 +43,12 @@ impl<'s, W: Write> Listing<'s, W> {
         Self { format, scene, settings, out, held_back: Vec::new() }
     }
 
-    fn head(&self, computed: ArithmeticDocument) -> OrbitHead {
-        head(self.scene.pair(), self.scene.start(), self.settings.arithmetic, computed)
-    }
-
     /// Writes the part of the output before the events.
     pub fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
-            Format::Jsonl => {
-                let head = self.head(arithmetic_at_first(orbit, self.settings));
-                line(&mut self.out, &head)
-            }
+            Format::Jsonl => line(&mut self.out, &orbit.head_at_first()),
             Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
         }
     }
@@ -89,14 +82,13 @@ impl<'s, W: Write> Listing<'s, W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,
             Format::Json => {
-                let head = self.head(ending.computed.clone());
                 let mut out = BufWriter::new(&mut self.out);
                 let events = self.held_back.iter().map(EventDocument::from);
-                write_orbit(&mut out, &head, &ending.conclusion.document(), events)?;
+                write_orbit(&mut out, &ending.head, &ending.conclusion.document(), events)?;
                 out.flush()?;
             }
             Format::Jsonl => {
-                let (outcome, arithmetic) = (ending.conclusion.document(), ending.computed.clone());
+                let (outcome, arithmetic) = (ending.conclusion.document(), ending.head.arithmetic.clone());
                 line(&mut self.out, &OrbitEnd { outcome, arithmetic })?;
             }
             Format::Csv => {}

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use impact_pair::document::counted;
+use impact_pair::json::counted;
 use impact_pair::watch::{Stage, Watch, proceed_if};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::document::{Conclusion, Ending, Event};
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
+use impact_pair::orbit::{Conclusion, Ending, Event};
 use impact_pair::scene::Run;
 
 use crate::Answer;

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use impact_pair::Scene;
-use impact_pair::document::{Ending, Event, EventKind, is_certified};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Ending, Event, EventKind};
 
 use crate::heading::heading;
 
@@ -13,7 +13,7 @@ pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Re
     out.write_all(heading(scene).as_bytes())?;
     let bits = if let Arithmetic::Bits(_) = settings.arithmetic { " bits" } else { "" };
     let arithmetic = format!("{}{bits}", settings.arithmetic);
-    if is_certified(settings.arithmetic) {
+    if settings.arithmetic.is_certified() {
         writeln!(out, "arithmetic: {arithmetic}, {} digits requested\n", settings.digits)?;
     } else {
         writeln!(out, "arithmetic: {arithmetic}, nothing is certified\n")?;

@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use anyhow::{Error, Result, bail};
 use clap::Args;
 use impact_pair::Scene;
-use impact_pair::document::{self, counted};
 use impact_pair::exact::{decimal_bounds, decimal_digits};
+use impact_pair::json::counted;
 use impact_pair::scene::{Key, Range};
 use impact_pair::tangency::{
-    Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency,
+    Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, at_least,
     is_tangency_range,
 };
 
@@ -116,7 +116,7 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     progress.clear();
     let text = match format {
         PeriodicFormat::Table => table(&scene, &found)?,
-        PeriodicFormat::Json => serde_json::to_string(&document::tangency(&scene, &found))? + "\n",
+        PeriodicFormat::Json => serde_json::to_string(&found.document(&scene))? + "\n",
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
     let is_table = format == PeriodicFormat::Table;
@@ -157,7 +157,7 @@ fn rows(out: &mut String, key: Key, found: &Tangency) -> fmt::Result {
         let [two, none] = [two, none].map(|range| decimal_bounds(range).join(" to "));
         writeln!(out, "  two common points for {two}, none for {none}: in the boxes of the JSON")?;
     }
-    let [speed, flight] = [found.least_speed, found.least_flight].map(document::at_least);
+    let [speed, flight] = [found.least_speed, found.least_flight].map(at_least);
     writeln!(out, "  speeds at least {} A W, flights at least {} rad", speed.text(), flight.text())
 }
 

@@ -7,8 +7,7 @@ use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use impact_pair::Scene;
 use impact_pair::chaos::{BoxGraph, MOST_COUNTED, NoTrap, Trap, WallWords};
-use impact_pair::document::{self, counted};
-use impact_pair::json::TrapDocument;
+use impact_pair::json::{TrapDocument, WallWordsDocument, counted};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -107,7 +106,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let is_drawn = matches!(format, TrapFormat::Graphml | TrapFormat::Dot);
     let graph = (arguments.words.is_some() || is_drawn).then(|| BoxGraph::of(scene.pair(), &region));
     let graph = graph.transpose().with_context(named)?;
-    let mut document = document::trap(&scene, &region).with_context(named)?;
+    let mut document = region.document(&scene).with_context(named)?;
     let counted = graph.as_ref().zip(arguments.words).map(|(graph, impacts)| WallWords::of(graph, impacts, &progress));
     progress.clear();
     let (words, uncounted) = match counted {
@@ -120,7 +119,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
         return Ok(Answer::Incomplete);
     }
     let missing: Vec<String> = region.coarser().map(not_finer).into_iter().chain(uncounted).collect();
-    document.words = words.as_ref().map(document::wall_words);
+    document.words = words.as_ref().map(WallWordsDocument::from);
     let proved = Proved { scene: &scene, graph, words, document };
     let text = match format {
         TrapFormat::Json => serde_json::to_string(&proved.document)? + "\n",
@@ -142,11 +141,7 @@ impl Proved<'_> {
         writeln!(
             out,
             "\nregion of {} boxes, {} columns per forcing period, {} rows per speed A W\nflight [time]       {}\nspeed [length/time] {}",
-            document.boxes,
-            document.columns,
-            document.rows,
-            document::bounds_text(&document.flight_time),
-            document::bounds_text(&document.speed_before),
+            document.boxes, document.columns, document.rows, document.flight_time, document.speed_before,
         )?;
         if let (Some(own), Some(words)) = (&document.words, &self.words) {
             let walls = counted(own.impacts, "wall");

@@ -9,8 +9,8 @@ use impact_pair::Scene;
 use impact_pair::chaos::{
     FoundWindow, MOST_WINDOW_IMPACTS, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };
-use impact_pair::document::{self, counted};
 use impact_pair::exact::decimal_digits;
+use impact_pair::json::counted;
 use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::Range;
 
@@ -91,9 +91,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     progress.clear();
     let text = match format {
         PeriodicFormat::Table => table(&scene, &found)?,
-        PeriodicFormat::Json => {
-            serde_json::to_string(&document::windows(&scene, &settings, &found).with_context(named)?)? + "\n"
-        }
+        PeriodicFormat::Json => serde_json::to_string(&found.document(&scene, &settings).with_context(named)?)? + "\n",
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
     let is_table = format == PeriodicFormat::Table;

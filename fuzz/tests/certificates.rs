@@ -1,7 +1,7 @@
 //! Orbit documents: read or refused with the path of what is wrong; what is read is checked, and checking ends.
 
 use impact_pair::Scene;
-use impact_pair::document;
+use impact_pair::orbit::Orbit;
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Effort};
 use impact_pair_fuzz::{config, edited, share};
@@ -13,7 +13,7 @@ fn seeds() -> Vec<String> {
     let document = |name: &str| {
         let scene = Scene::parse(&std::fs::read_to_string(format!("{folder}/{name}.toml")).unwrap()).unwrap();
         let settings = impact_pair::orbit::Settings { impacts: Some(4), ..scene.settings() };
-        serde_json::to_string_pretty(&document::orbit(scene.pair(), scene.start(), settings).unwrap()).unwrap()
+        serde_json::to_string_pretty(&Orbit::of(&scene, settings).unwrap().document()).unwrap()
     };
     ["figure-14", "chatter", "graze", "two-tones"].map(document).to_vec()
 }

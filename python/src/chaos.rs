@@ -3,13 +3,12 @@
 
 use impact_pair::Error;
 use impact_pair::chaos::{
-    BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_COUNTED,
-    MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings,
-    Windows,
+    BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS,
+    MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords,
+    WindowSettings, Windows,
 };
-use impact_pair::document;
 use impact_pair::exact::Exact;
-use impact_pair::json::{GivenBase, one_a_line};
+use impact_pair::json::{GivenBase, WallWordsDocument, one_a_line};
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
@@ -40,10 +39,10 @@ pub fn trap(
         match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
             Err(why) => Ok((None, false, monitor.is_stopped(), Some(why.words().to_owned()))),
             Ok(region) => {
-                let mut document = document::trap(&scene, &region)?;
+                let mut document = region.document(&scene)?;
                 if let Some(impacts) = impacts {
                     let words = WallWords::of(&BoxGraph::of(scene.pair(), &region)?, impacts, monitor);
-                    document.words = words.ok().as_ref().map(document::wall_words);
+                    document.words = words.ok().as_ref().map(WallWordsDocument::from);
                 }
                 let is_counted = impacts.is_none() || document.words.is_some();
                 let svg = picture
@@ -77,7 +76,7 @@ pub fn cycles(
         };
         let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
         let found = found.as_ref().map_err(|why| *why);
-        let document = document::cycles(&scene, &impacts, found)?;
+        let document = Cycles::document(&scene, &impacts, found)?;
         Ok((text(&document), found.is_ok_and(Cycles::is_certified), monitor.is_stopped()))
     })
 }
@@ -104,7 +103,7 @@ pub fn windows(
             precision: precision(requested, &scene)?,
         };
         let found = Windows::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
-        let document = document::windows(&scene, &settings, &found)?;
+        let document = found.document(&scene, &settings)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
     })
 }
@@ -148,7 +147,7 @@ pub fn global_analysis(
             precision: precision((digits, MAX_BITS), &scene)?,
         };
         let found = Global::of(scene.pair(), &settings, monitor)?;
-        let document = document::global(&scene, &settings, &found)?;
+        let document = found.document(&scene, &settings)?;
         Ok((text(&document), document.certified, monitor.is_stopped()))
     })
 }
@@ -178,7 +177,7 @@ pub fn tangency(
             precision: precision(requested, &scene)?,
         };
         let found = Tangencies::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
-        Ok((text(&document::tangency(&scene, &found)), found.is_certified(), monitor.is_stopped()))
+        Ok((text(&found.document(&scene)), found.is_certified(), monitor.is_stopped()))
     })
 }
 
@@ -196,7 +195,7 @@ pub fn chaos(
     watched(py, progress, move |monitor| {
         let bases: Option<Vec<GivenBase>> =
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
-        let bases = bases.map(|bases| document::bases(&bases)).unwrap_or_default();
+        let bases = bases.map(|bases| bases.iter().map(HSet::from).collect()).unwrap_or_default();
         let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;
         let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases };
         let range = |text: String| bifurcation::over(&text).map_err(|error| Fault::keyed(error, "over", &text));
@@ -210,14 +209,10 @@ pub fn chaos(
             None => scene.pair().clone(),
         };
         let found = Chaos::of(&pair, scene.start(), &question, monitor)?;
-        let mut document = document::chaos(&scene, over.as_ref(), &found);
+        let set = hyperbolic.then(|| Hyperbolic::of(&pair, &found, monitor)).transpose()?;
+        let mut document = found.document(&scene, over.as_ref(), set.as_ref());
         document.scene_orbit = document.scene_orbit.filter(|_| !no_orbit);
-        let mut proved = None;
-        if hyperbolic {
-            let set = Hyperbolic::of(&pair, &found, monitor)?;
-            document = document::with_hyperbolic(document, &set);
-            proved = set.ok();
-        }
+        let proved = set.and_then(Result::ok);
         let is_proved = found.entropy() > 0.0 && !document.interrupted && document.hyperbolic != Some(None);
         let picture = picture.then(|| {
             impact_pair_plot::chaos::chaos(&scene, over.as_ref(), (&found, proved.as_ref()), &Look::default())
@@ -247,7 +242,7 @@ pub fn chaos_cells(
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let found = Cells::of(scene.pair(), scene.start(), &requested, monitor)?;
-        let document = document::cells(&scene, &requested, &found);
+        let document = found.document(&scene, &requested);
         let svg = picture
             .then(|| drawn(impact_pair_plot::proved::cells(&scene, &requested, &found, &Look::default())))
             .transpose()?;

@@ -2,13 +2,10 @@
 
 use std::sync::Mutex;
 
-use impact_pair::document::{
-    Bounds, Conclusion, Ending, Event, EventKind, arithmetic as computed_by, arithmetic_at_first, head,
-};
 use impact_pair::json::{
     self, ArithmeticDocument, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
 };
-use impact_pair::orbit::{self, Dense, Settings};
+use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind, Settings};
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
@@ -210,14 +207,14 @@ pub fn run(
         let settings = scene.settings_requested(requested_run(&requested)?, chosen);
         let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
         let orbit = orbit::Orbit::of(&scene, settings.clone())?;
-        let at_first = arithmetic_at_first(&orbit, &settings);
+        let at_first = orbit.head_at_first().arithmetic;
         let mut events: Vec<Event> = Vec::new();
         let dense = Dense::of(orbit, monitor, |orbit, step| events.extend(Event::of(orbit, step)));
         let orbit = dense.orbit();
         let conclusion = Conclusion::of(orbit, events.last());
         let ending = Ending::of(orbit, conclusion, &settings);
         Ok(Orbit {
-            head: head(scene.pair(), scene.start(), settings.arithmetic, computed_by(orbit)),
+            head: orbit.head(),
             at_first,
             outcome: ending.conclusion.document(),
             complete: Some(ending.is_complete()),

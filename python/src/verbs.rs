@@ -1,7 +1,6 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
 use impact_pair::audit::{Audit, AuditSettings, Column, Columns, read};
-use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::mapping::Word;
@@ -92,7 +91,7 @@ pub fn bifurcations(
         let doublings = accepted("doublings", doublings, 0..=8)?;
         let diagram_settings = DiagramSettings { over, doublings, precision: precision(requested, &scene)? };
         let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &diagram_settings, monitor)?;
-        let document = document::bifurcations(scene.start(), (&word, cycles), &diagram)?;
+        let document = diagram.document(scene.start(), (&word, cycles))?;
         Ok((text(&document), diagram.is_certified(), monitor.is_stopped()))
     })
 }
@@ -123,7 +122,7 @@ pub fn two_impact(
                 return Ok((documents, false, true));
             }
             let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer_within(digits, monitor);
-            documents.push(text(&document::two_impact(scene.start(), &answer, wall)));
+            documents.push(text(&answer.document(scene.start(), wall)));
             complete &= answer.is_complete;
         }
         Ok((documents, complete, !complete && monitor.is_stopped()))
@@ -158,7 +157,7 @@ pub fn manifold(
         let (from, to, count) = (point("from", &from)?, point("to", &to)?, accepted("count", count, COUNTS)?);
         let range = Range { pair: scene.pair(), speed, axis, from, to, count };
         let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(requested, &scene)?, monitor)?;
-        let document = document::manifolds(&range, scene.start(), &curves, !went_on);
+        let document = range.document(scene.start(), &curves, !went_on);
         let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None, &Look::default()));
         let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
         Ok((one_a_line(&document, &["curves", "points"]), went_on, !went_on, svg))

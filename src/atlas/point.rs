@@ -6,11 +6,11 @@ use impact_pair_document::AtlasRecord;
 
 use super::document;
 use super::plane::{Plane, Rectangle};
-use crate::chaos::{Global, GlobalSettings, stable_orbits};
+use crate::Error;
+use crate::chaos::{Global, GlobalSettings, period, stable_orbits};
 use crate::exact::Exact;
 use crate::scene::{Key, Scene};
 use crate::watch::Watch;
-use crate::{Error, document as written};
 
 /// Global analysis at a point, or for all parameters of a tile and of the cells that it is cut into while undecided. `None` if the watch stops
 /// the analysis.
@@ -48,7 +48,7 @@ fn of_cell(
     }
     if quarters.is_empty() {
         let orbits = stable_orbits(scene.with(&values)?.pair(), watch)?;
-        found.stable = orbits.iter().map(|(word, cycles)| written::period(word, *cycles)).collect();
+        found.stable = orbits.iter().map(|(word, cycles)| period(word, *cycles)).collect();
         return Ok(watch.goes_on().then_some(found));
     }
     for quarter in quarters {
@@ -72,6 +72,6 @@ fn analysed(
     if found.interrupted {
         return Ok(None);
     }
-    let global = written::global(&scene, settings, &found)?;
+    let global = found.document(&scene, settings)?;
     Ok(Some(document::of(point, values, global, begun.elapsed())))
 }

@@ -45,8 +45,8 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 
 use crate::contact::Reason as Doubt;
-use crate::document::Conclusion;
 use crate::exact::{Enclosure, Exact};
+use crate::orbit::Conclusion;
 use crate::orbit::{Arithmetic, MAX_BITS, Settings};
 use crate::scales::Scales;
 use crate::scene::{DIGITS, Run};

@@ -6,8 +6,8 @@ use impact_pair_document::ArithmeticDocument;
 
 use super::finding::Finding;
 use super::tolerance::Tolerance;
-use crate::document::{Conclusion, Event, EventKind, arithmetic};
 use crate::exact::{Dyadic, Enclosure, Exact};
+use crate::orbit::{Conclusion, Event, EventKind};
 use crate::orbit::{Orbit, Outcome, Place, Settings};
 use crate::pair::Wall;
 use crate::watch::Watch;
@@ -131,7 +131,7 @@ impl Truth {
             doubtful_from,
             is_cut: ended.is_break(),
             conclusion: Conclusion::of(&orbit, last.as_ref()),
-            computed: arithmetic(&orbit),
+            computed: orbit.computed(),
             wide: orbit.first_wide(),
         })
     }

@@ -1,7 +1,9 @@
 //! The values of a parameter in cells: those that hold a horseshoe, those with a stable periodic orbit, that of the scene's own start or
 //! another one, or both. Lemma D14
 
+mod document;
 mod followed;
+mod shares;
 mod spread;
 #[cfg(test)]
 mod tests;

@@ -15,6 +15,7 @@ mod boxes;
 mod bundles;
 mod cells;
 mod cycles;
+mod document;
 mod entropy;
 mod everywhere;
 mod flights;
@@ -49,15 +50,15 @@ pub use blocks::Word;
 pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
 pub use cells::{Cells, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
+pub(crate) use document::{entropy, period};
 pub(crate) use flights::Flights;
-pub(crate) use global::spectral_radius;
 pub use global::{
     Basin, BasinOutcome, Class, DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, LimitCycle, Patch, Reason,
     Recurrence, RestCycle,
 };
 pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};
-pub use hyperbolic::{Cone, Hyperbolic, LeftOut};
+pub use hyperbolic::{Cone, Hyperbolic, HyperbolicSet, LeftOut};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub(crate) use law::{Law, Side};
 pub(crate) use quad::Quad;

@@ -6,8 +6,7 @@ use impact_pair_document::{
 };
 
 use super::Description;
-use crate::chaos::{Trap, Word as Block};
-use crate::document;
+use crate::chaos::{Trap, Word as Block, entropy};
 use crate::mapping::Word;
 use crate::orbit::Period;
 use crate::sweep::{exponent, limit};
@@ -36,8 +35,8 @@ impl Description {
                 limit: self.orbit.limit.map(limit),
                 finite_time: exponent(self.orbit.exponent).per_impact,
             },
-            region: self.region().map(|trap| document::trap(scene, trap)).transpose()?,
-            entropy: horseshoe.map(|chaos| document::entropy([chaos.entropy(), chaos.entropy_a_cycle()])),
+            region: self.region().map(|trap| trap.document(scene)).transpose()?,
+            entropy: horseshoe.map(|chaos| entropy([chaos.entropy(), chaos.entropy_a_cycle()])),
             horseshoe: horseshoe.map(|chaos| HorseshoeDocument {
                 words: chaos.horseshoe().map(|words| words.map(Block::as_block)),
                 depth: chaos.depth() as u32,

@@ -2,7 +2,6 @@
 
 use impact_pair_document::{DescribedExponent, DescriptionDocument, ExtendedBounds, HorseshoeDocument, TrapDocument};
 
-use crate::document::bounds_text;
 use crate::exact::{Exact, decimal_digits};
 
 /// Bits that show bounds.
@@ -46,9 +45,7 @@ fn shown(bounds: &ExtendedBounds) -> String {
 fn in_words(region: &TrapDocument) -> String {
     format!(
         "trapping region of {} boxes; flights last {} [time], speeds before impacts are {} [length/time]",
-        region.boxes,
-        bounds_text(&region.flight_time),
-        bounds_text(&region.speed_before)
+        region.boxes, region.flight_time, region.speed_before
     )
 }
 

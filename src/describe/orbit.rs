@@ -3,7 +3,6 @@
 use impact_pair_document::{FateName, OrbitDocument};
 
 use super::Request;
-use crate::document;
 use crate::lyapunov::{Disturbance, Exponent, limit};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings};
 use crate::watch::Latched;
@@ -40,7 +39,7 @@ impl Followed {
     fn of(scene: &Scene, settings: Settings, watch: &Latched<'_>) -> Result<Self, Error> {
         let mut orbit = Orbit::of(scene, settings)?;
         let mut disturbance = Disturbance::of(&orbit);
-        let document = document::follow(&mut orbit, watch, |orbit, event| disturbance.follow(orbit, event));
+        let document = orbit.document_within(watch, |orbit, event| disturbance.follow(orbit, event));
         let exponent = disturbance.exponent();
         let limit = match orbit.outcome() {
             Some(Outcome::Attracted(attractor)) => limit(&attractor.orbit, disturbance.passed()),

@@ -143,7 +143,7 @@ fn a_motion_in_a_region_carries_what_trap_proves() {
     let document = described(&scene);
     let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
     assert_eq!((document.fate.kind, document.fate.from), (FateName::StaysInRegion, trap.entered()));
-    assert_eq!(document.region, Some(crate::document::trap(&scene, &trap).unwrap()));
+    assert_eq!(document.region, Some(trap.document(&scene).unwrap()));
     assert!(document.certified && document.interrupted && document.proof.is_none());
     assert!(document.undecided.iter().any(|open| open.command.starts_with("impact-pair chaos scene.toml")));
 }

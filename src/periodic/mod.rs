@@ -14,6 +14,7 @@ pub mod bifurcation;
 mod census;
 pub mod chain;
 mod chained;
+pub(crate) mod document;
 pub mod entries;
 mod equations;
 mod guess;

@@ -6,7 +6,6 @@ use impact_pair_document::{
 };
 
 use super::{Grid, Point, PointSettings, axis};
-use crate::document::is_certified;
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
@@ -26,7 +25,7 @@ pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option
         transient: requested.transient,
         impacts: requested.impacts,
         digits: requested.settings.digits,
-        certified: is_certified(requested.settings.arithmetic),
+        certified: requested.settings.arithmetic.is_certified(),
         claim: (requested.settings.arithmetic == Arithmetic::Shadow).then_some(ClaimName::Shadowed),
         arithmetic: ArithmeticDocument::requested(&requested.settings),
         reference: requested.reference.map(|term| term as u64 + 1), // exact: a number of terms

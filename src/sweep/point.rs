@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 use impact_pair_document::SweepImpact;
 
 use crate::Error;
-use crate::document::{Conclusion, Event};
 use crate::exact::Enclosure;
 use crate::lyapunov::{Disturbance, Exponent, Passed};
 use crate::number::Ball;
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Shadowing};
+use crate::orbit::{Conclusion, Event};
 use crate::scene::Scene;
 use crate::watch::Watch;
 

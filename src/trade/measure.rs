@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use impact_pair_document::ArithmeticDocument;
 
 use super::schedule::TradeArithmetic;
-use crate::document::{self, Conclusion, Event, is_certified};
+use crate::orbit::{Conclusion, Event};
 use crate::orbit::{Impact, Orbit, Settings};
 use crate::scales::{Scales, Size, Unit};
 use crate::watch::{Silent, Watch};
@@ -106,7 +106,7 @@ pub(super) fn measure(
     watch: &dyn Watch,
 ) -> Result<Option<Measured>, Error> {
     let settings = arithmetic.settings(requested);
-    let is_certified = is_certified(settings.arithmetic);
+    let is_certified = settings.arithmetic.is_certified();
     let begin = || Orbit::of(scene, settings.clone());
     let mut orbit = begin()?;
     let Seen { last, widths, times } = observe(&mut orbit, units, watch);
@@ -118,7 +118,7 @@ pub(super) fn measure(
     let times = if is_long(times.orbit) { Some(times) } else { repeat(begin, is_certified, watch)? };
     Ok(times.map(|times| Measured {
         arithmetic,
-        computed: document::arithmetic(&orbit),
+        computed: orbit.computed(),
         bits: orbit.bits(),
         impacts,
         is_certified,

@@ -9,11 +9,11 @@ pub use judge::{Crossing, Divergence, ErrorBounds, Largest};
 pub use measure::{Extent, Measured, Times, Widths};
 pub use schedule::TradeArithmetic;
 
-use crate::document::counted;
 use crate::orbit::{INARI, Settings};
 use crate::scales::{Scales, Unit};
 use crate::watch::{Stage, Watch};
 use crate::{Error, Scene};
+use impact_pair_document::counted;
 use measure::measure;
 use schedule::TradeSchedule;
 

@@ -34,6 +34,7 @@
 mod angle;
 pub mod closed_forms;
 mod data;
+mod document;
 mod elastic;
 mod equispaced;
 mod isolate;
@@ -46,6 +47,7 @@ mod stability;
 mod unequispaced;
 
 pub use crate::periodic::{MeasuredOrbit, Stability};
+pub use document::word;
 pub use manifold::{Axis, COUNTS, Manifold, Mark, Part, Point, Range};
 pub use orbit::Orbit;
 pub use problem::{Answer, CYCLES, Problem, Unknown, speed};

@@ -1,8 +1,7 @@
 //! The truth of the claims that a forgery leaves, computed anew by the library.
 
 use impact_pair::Scene;
-use impact_pair::chaos::{Chaos, Global, GlobalSettings, HorseshoeSettings, Kind};
-use impact_pair::document;
+use impact_pair::chaos::{Chaos, Global, GlobalSettings, HSet, HorseshoeSettings, Kind};
 use impact_pair::json::{GivenBase, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::Precision;
@@ -66,7 +65,7 @@ fn has_bifurcations(document: &Value) -> Option<bool> {
     let diagram_settings = DiagramSettings { over: over.parse().ok()?, doublings: 3, precision };
     let requested = (&word, document["cycles"].as_u64()? as u32);
     let diagram = survey(&pair, &start, requested, &diagram_settings, &Unwatched).ok()?;
-    let found = json!(document::bifurcations(&start, requested, &diagram).ok()?);
+    let found = json!(diagram.document(&start, requested).ok()?);
     let is_found = |claim: &Value| {
         found["points"].as_array().unwrap().iter().any(|point| {
             let parameters = bounds(&claim["parameter"]).zip(bounds(&point["parameter"]));
@@ -90,11 +89,13 @@ fn has_orbit(document: &Value, orbit: &Value) -> bool {
 fn has_words(document: &Value) -> Option<bool> {
     let (pair, start) = serde_json::from_value::<SceneDocument>(document["scene"].clone()).ok()?.model().ok()?;
     let bases: Vec<GivenBase> = serde_json::from_value(document["bases"].clone()).ok()?;
-    let question =
-        HorseshoeSettings { depth: Some(document["depth"].as_u64()? as usize), bases: document::bases(&bases) };
+    let question = HorseshoeSettings {
+        depth: Some(document["depth"].as_u64()? as usize),
+        bases: bases.iter().map(HSet::from).collect(),
+    };
     // It only names what is found.
     let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;
-    let found = json!(document::chaos(&scene, None, &Chaos::of(&pair, &start, &question, &Unwatched).ok()?));
+    let found = json!(Chaos::of(&pair, &start, &question, &Unwatched).ok()?.document(&scene, None, None));
     let found = found["words"].as_array()?;
     let all = document["words"].as_array()?;
     let count = |words: &[Value], word: &Value| words.iter().filter(|other| *other == word).count();

@@ -1,8 +1,7 @@
 //! The motion of a scene from its exact start, and documents that end otherwise.
 
-use impact_pair::document;
 use impact_pair::json::SceneDocument;
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
@@ -18,7 +17,7 @@ pub fn motion(scene: &Value, impacts: u64) -> Option<Vec<Value>> {
     let (pair, start) = serde_json::from_value::<SceneDocument>(scene.clone()).ok()?.model().ok()?;
     let settings =
         Settings { impacts: Some(impacts), arithmetic: Arithmetic::Bits(320), digits: 60, ..Settings::default() };
-    json!(document::orbit(&pair, &start, settings).ok()?)["events"].as_array().cloned()
+    json!(Orbit::new(&pair, &start, settings).ok()?.document())["events"].as_array().cloned()
 }
 
 /// Whether an event follows the listed events: for `A > 0` or with a drift, an event always follows.

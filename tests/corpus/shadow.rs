@@ -1,10 +1,9 @@
 //! Search for a start near the scene's that has the impacts of a shadowed orbit, by the time of the last impact in 320 bits; its motion is
 //! compared.
 
-use impact_pair::document;
 use impact_pair::exact::{Enclosure, Exact, decimal_bounds};
 use impact_pair::json::{OutcomeDocument, SceneDocument};
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use num_rational::BigRational;
 use serde_json::{Value, json};
 
@@ -78,7 +77,7 @@ fn motion(document: &Value, varied: &str, start: &BigRational) -> Option<Vec<Val
     let impacts = document["events"].as_array()?.len() as u64;
     let settings =
         Settings { impacts: Some(impacts), arithmetic: Arithmetic::Bits(BITS), digits: 60, ..Settings::default() };
-    let found = json!(document::orbit(&pair, &start, settings).ok()?);
+    let found = json!(Orbit::new(&pair, &start, settings).ok()?.document());
     found["events"].as_array().cloned()
 }
 

@@ -1,10 +1,9 @@
 //! The truth of a document by the library: the motion is computed anew from the document's own scene, in 320 bits.
 
-use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::mapping::Word;
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{self, Precision};
 use impact_pair::two_impact::{self, Unknown};
@@ -84,7 +83,7 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
         digits: if outcome.kind == "attracted" { 25 } else { 9 },
         ..Settings::default()
     };
-    let found = serde_json::to_value(document::orbit(pair, start, settings).unwrap()).unwrap();
+    let found = serde_json::to_value(Orbit::new(pair, start, settings).unwrap().document()).unwrap();
     let all = found["events"].as_array().unwrap();
     let Some(listed) = listed(events, all) else { return false };
     let next = all.get(listed);
@@ -200,5 +199,5 @@ fn orbits_of(pair: &ImpactPair, start: &Start, word: &Word, cycles: u32) -> Valu
 
 fn two_impacts(pair: &ImpactPair, start: &Start, cycles: u32) -> Value {
     let answer = two_impact::Problem::new(pair, cycles, Unknown::Velocity).unwrap().answer(DIGITS);
-    json!(document::two_impact(start, &answer, Wall::Left))
+    json!(answer.document(start, Wall::Left))
 }

@@ -1,7 +1,6 @@
 //! One start: `run` in some arithmetic, its document read back and checked.
 
-use impact_pair::document;
-use impact_pair::orbit::{Arithmetic, INARI, Settings};
+use impact_pair::orbit::{Arithmetic, INARI, Orbit, Settings};
 use impact_pair::watch::Unwatched;
 use impact_pair_certificate::{Certificate, Effort, Verdict};
 use serde_json::json;
@@ -47,7 +46,8 @@ fn settings(case: &Case, number: u64) -> Settings {
 pub fn judge(case: &Case, number: u64) -> (StartVerdict, String) {
     let settings = settings(case, number);
     let arithmetic = settings.arithmetic;
-    let Ok(orbit) = document::orbit(case.scene.pair(), case.scene.start(), settings) else {
+    let Ok(orbit) = Orbit::new(case.scene.pair(), case.scene.start(), settings).map(|mut orbit| orbit.document())
+    else {
         return (StartVerdict::NoScene, String::new());
     };
     let document = json!(orbit);

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use impact_pair::audit::{Audit, Finding, Parting, Reason, Site, SiteKind, Verdict};
-use impact_pair::document::counted;
 use impact_pair::exact::{Enclosure, decimal_digits};
+use impact_pair::json::counted;
 use impact_pair::scales::Unit;
 
 use crate::heading::heading;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
 use impact_pair::chaos::{Chaos, LeftOut};
-use impact_pair::document::{bounds_text, counted};
+use impact_pair::json::counted;
 use impact_pair::json::{ChaosCellsDocument, ChaosDocument, HyperbolicDocument, RatesDocument, SharesDocument};
 use impact_pair::pair::Wall;
 
@@ -60,13 +60,12 @@ fn hyperbolic(document: &ChaosDocument, set: &HyperbolicDocument) -> Result<Stri
         set.cells,
         set.kappa.text()
     )?;
-    let rates = |rates: &RatesDocument| {
-        format!("{} per impact, {} per forcing period", bounds_text(&rates.per_impact), bounds_text(&rates.per_cycle))
-    };
+    let rates =
+        |rates: &RatesDocument| format!("{} per impact, {} per forcing period", rates.per_impact, rates.per_cycle);
     writeln!(out, "  topological entropy          {}", rates(&set.entropy))?;
     writeln!(out, "  greater Lyapunov exponent    {} (every invariant measure)", rates(&set.exponents))?;
-    writeln!(out, "  smaller Lyapunov exponent    {} per impact", bounds_text(&set.second_exponent))?;
-    writeln!(out, "  Hausdorff dimension          {}", bounds_text(&set.dimension))?;
+    writeln!(out, "  smaller Lyapunov exponent    {} per impact", set.second_exponent)?;
+    writeln!(out, "  Hausdorff dimension          {}", set.dimension)?;
     Ok(out)
 }
 

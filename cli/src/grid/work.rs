@@ -8,8 +8,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Error, Result};
-use impact_pair::document::counted;
 use impact_pair::exact::Exact;
+use impact_pair::json::counted;
 use impact_pair::scene::Key;
 use impact_pair::sweep::Head;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

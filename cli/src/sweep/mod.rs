@@ -8,8 +8,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
-use impact_pair::document::counted;
 use impact_pair::json::SweepHead;
+use impact_pair::json::counted;
 use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
 use impact_pair_plot::records::Records;

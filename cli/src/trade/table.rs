@@ -1,6 +1,6 @@
 //! The table for people: one line per arithmetic, then the errors of `float`.
 
-use impact_pair::document::counted;
+use impact_pair::json::counted;
 use impact_pair::trade::{Crossing, ErrorBounds, Extent, Largest, Measured, Trade};
 
 use crate::heading::heading;

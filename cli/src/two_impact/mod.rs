@@ -6,7 +6,6 @@ mod table;
 
 use anyhow::{Error, Result};
 use impact_pair::Scene;
-use impact_pair::document;
 use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
 use impact_pair::orbit::Settings;
@@ -53,7 +52,7 @@ fn list_motions((arguments, format): Options<'_>, files: Files, scene: &Scene, d
     let wall = arguments.wall.wall();
     let text = match format {
         TwoImpactFormat::Json => {
-            let text = |answer: &Answer| one_a_line(&document::two_impact(scene.start(), answer, wall), &["orbits"]);
+            let text = |answer: &Answer| one_a_line(&answer.document(scene.start(), wall), &["orbits"]);
             let documents: Vec<String> = answers.iter().map(text).collect();
             match documents.as_slice() {
                 [one] => format!("{one}\n"),
@@ -94,7 +93,7 @@ fn draw_manifold(
     let text = match format {
         TwoImpactFormat::Table => table::manifolds(scene, axis, &curves),
         TwoImpactFormat::Json => {
-            let document = document::manifolds(&range, scene.start(), &curves, interrupted);
+            let document = range.document(scene.start(), &curves, interrupted);
             format!("{}\n", one_a_line(&document, &["curves", "points"]))
         }
         TwoImpactFormat::Csv => csv::csv(axis, &curves),

@@ -1,9 +1,9 @@
 //! Human-readable tables of two-impact motions and parameter manifolds.
 
 use impact_pair::Scene;
-use impact_pair::document::word;
 use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::pair::Wall;
+use impact_pair::two_impact::word;
 use impact_pair::two_impact::{Answer, Axis, Manifold, MeasuredOrbit, Orbit, Part, Stability, Unknown};
 
 use crate::periodic::orbits;

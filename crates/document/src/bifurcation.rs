@@ -1,5 +1,6 @@
 //! The bifurcation JSON, schema `impact-pair/bifurcations/1`.
 
+use impact_pair_model::scene::Range;
 use serde::{Deserialize, Serialize};
 
 use super::number::{Bounds, Written};
@@ -50,6 +51,12 @@ pub struct ParameterRange {
     pub low: Written,
     /// Upper end of the range.
     pub high: Written,
+}
+
+impl From<&Range> for ParameterRange {
+    fn from(range: &Range) -> Self {
+        Self { key: range.key().place(), low: range.low().into(), high: range.high().into() }
+    }
 }
 
 /// A bifurcation.

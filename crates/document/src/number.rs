@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use serde::{Deserialize, Serialize, Serializer};
 use std::cmp::Ordering;
+use std::fmt;
 use std::ops::Deref;
 
 /// A number written as a decimal, such as `-1.5e-3`.
@@ -140,6 +141,14 @@ impl Bounds {
     /// The values of both.
     pub fn values(&self) -> [BigRational; 2] {
         self.0.each_ref().map(Decimal::value)
+    }
+}
+
+/// For the eye: `1.5 to 2`.
+impl fmt::Display for Bounds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = &self.0;
+        write!(f, "{} to {}", low.text(), high.text())
     }
 }
 

@@ -30,6 +30,14 @@ pub enum Arithmetic {
 }
 
 impl Arithmetic {
+    /// Returns whether the arithmetic is rigorous.
+    pub fn is_certified(self) -> bool {
+        match self {
+            Self::Float => false,
+            Self::Auto | Self::Interval | Self::Inari | Self::Shadow | Self::Bits(_) => true,
+        }
+    }
+
     /// Error for the name of an arithmetic that this build does not have.
     pub fn unknown(text: &str) -> Error {
         if text == "inari" {

@@ -6,7 +6,7 @@ mod leaf;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{Chaos, HSet, Hyperbolic, State, Trap, seen_impacts};
-use impact_pair::document::counted;
+use impact_pair::json::counted;
 use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;

@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{BasinOutcome, Global, Kind, LimitCycle, Patch, State};
-use impact_pair::document::counted;
 use impact_pair::json::GlobalDocument;
+use impact_pair::json::counted;
 use impact_pair::pair::Wall;
 use plotters::prelude::*;
 

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::{FoundWindow, Windows};
-use impact_pair::document::counted;
 use impact_pair::exact::Exact;
+use impact_pair::json::counted;
 use impact_pair::scene::Key;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;

@@ -5,6 +5,7 @@
 //! as well; what closes is cut and halved until it is excluded or lies where a proved orbit is the only one.
 
 mod chain;
+mod document;
 mod graph;
 mod relation;
 mod search;

@@ -304,7 +304,7 @@ fn is_within(x: Ball, [low, high]: [f64; 2]) -> bool {
 
 /// Bounds of the greatest modulus of two eigenvalues, real and imaginary part of each, for one period of the reduced map. The eigenvalues belong
 /// to `rounds` such periods: 1 or 2. Lemma A8
-pub(crate) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
+pub(super) fn spectral_radius(eigenvalues: [[&Enclosure; 2]; 2], rounds: usize) -> Option<Enclosure> {
     let square = |x: &Enclosure| x.powi(2, BITS);
     let modulus = |[re, im]: [&Enclosure; 2]| Some(square(re)?.add(&square(im)?, BITS));
     let [one, other] = eigenvalues.map(modulus);

@@ -8,6 +8,7 @@ mod analysis;
 mod attractors;
 mod basins;
 mod cycle;
+mod document;
 mod graph;
 mod horseshoes;
 mod image;
@@ -34,7 +35,6 @@ pub use basins::{Basin, BasinOutcome, Patch};
 pub(super) use cycle::closed;
 use image::Space;
 use known::Released;
-pub(crate) use known::spectral_radius;
 pub use known::{Kind, LimitCycle, RestCycle};
 
 /// The settings of a global analysis.

@@ -80,21 +80,20 @@ pub struct Hyperbolic {
     pub dimension: [f64; 2],
 }
 
+/// A hyperbolic set, or the words that are left out, with the reasons, where none is proved.
+pub type HyperbolicSet = Result<Hyperbolic, Vec<(usize, LeftOut)>>;
+
 impl Hyperbolic {
     /// Hyperbolic set of those words that are proved to expand and that lead back to each other, or the reasons why there is none.
     /// `watch` receives the number of cells.
     ///
     /// # Errors
     /// If the pair has several harmonics, or a value is beyond the range of flights.
-    pub fn of(
-        pair: &ImpactPair,
-        chaos: &Chaos,
-        watch: &dyn Watch,
-    ) -> Result<Result<Self, Vec<(usize, LeftOut)>>, Error> {
+    pub fn of(pair: &ImpactPair, chaos: &Chaos, watch: &dyn Watch) -> Result<HyperbolicSet, Error> {
         Ok(Self::proved(&Law::of(pair)?, chaos.bases(), chaos.words(), watch))
     }
 
-    fn proved(law: &Law, bases: &[HSet], words: &[Word], watch: &dyn Watch) -> Result<Self, Vec<(usize, LeftOut)>> {
+    fn proved(law: &Law, bases: &[HSet], words: &[Word], watch: &dyn Watch) -> HyperbolicSet {
         let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
         let mut left_out: BTreeMap<usize, LeftOut> =
             (0..words.len()).map(|number| (number, LeftOut::Overlap)).collect();

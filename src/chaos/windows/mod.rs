@@ -4,6 +4,7 @@
 //! Orbits of the reduced map are searched in floating point (`search`), at the scene's own value and at others of the range. Each stable orbit is
 //! then proved at an exact value of the parameter, and its window is enclosed ([`Window`]).
 
+mod document;
 mod search;
 
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -11,6 +11,7 @@ mod branch;
 mod cascade;
 mod claim;
 mod diagram;
+mod document;
 mod family;
 mod follow;
 mod jet;

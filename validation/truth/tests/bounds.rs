@@ -1,8 +1,8 @@
 //! `check` confirms right bounds and refuses wrong ones, to the last printed unit: the truth says which are which.
 
-use impact_pair::orbit::Settings;
+use impact_pair::Scene;
+use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::watch::Unwatched;
-use impact_pair::{Scene, document};
 use impact_pair_certificate::{Certificate, Verdict};
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -46,7 +46,7 @@ fn a_bound_is_refused_from_the_unit_on_that_makes_it_false() {
         let path = format!("{}/../../scenes/figure-{figure}.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = Scene::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
         let settings = Settings { impacts: Some(impacts), digits: 9, ..Settings::default() };
-        let document = json!(document::orbit(scene.pair(), scene.start(), settings).unwrap());
+        let document = json!(Orbit::of(&scene, settings).unwrap().document());
         assert!(matches!(verdict(&document), Verdict::Confirmed { .. }), "figure {figure}");
         let member = Member::new(&scene, || 0.0);
         let mut motion = Motion::new(&member.shaken, member.start.clone());

@@ -3,8 +3,8 @@
 //! `data/hard-flights.jsonl` has them: grazes and near misses down to 1e-40 of the gap, by velocity, by gap, in low hops and 1e15 periods
 //! from the start; contacts after 1e-9 periods; flights of 1e11 forcing periods whose last peak barely reaches; starts at rest.
 
-use impact_pair::orbit::Settings;
-use impact_pair::{Scene, document};
+use impact_pair::Scene;
+use impact_pair::orbit::{Orbit, Settings};
 use serde_json::{Value, json};
 
 use crate::crossings::members::Member;
@@ -31,7 +31,7 @@ impl Flight {
     /// The first impact in `auto`, as a document.
     fn asked(&self) -> Value {
         let settings = Settings { impacts: Some(1), digits: 9, ..Settings::default() };
-        json!(document::orbit(self.scene.pair(), self.scene.start(), settings).unwrap())
+        json!(Orbit::new(self.scene.pair(), self.scene.start(), settings).unwrap().document())
     }
 
     /// The finding on a document, by the motion of this flight.

@@ -6,8 +6,8 @@ mod starts;
 
 use std::collections::BTreeMap;
 
-use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::{Scene, document};
+use impact_pair::Scene;
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use serde_json::{Value, json};
 
 use crate::crossings::members::Member;
@@ -41,7 +41,7 @@ impl Findings {
         let settings = Settings { arithmetic, impacts: Some(impacts), max_bits: 1024, ..Settings::default() };
         let counts = self.counts.entry(family.to_owned()).or_default();
         // Out of range, or of several harmonics in `inari`.
-        let Ok(orbit) = document::orbit(scene.pair(), scene.start(), settings) else {
+        let Ok(orbit) = Orbit::of(scene, settings).map(|mut orbit| orbit.document()) else {
             counts[2] += 1;
             return;
         };

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::document::{Conclusion, Ending, Event, is_certified};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::orbit::{Conclusion, Ending, Event};
 use impact_pair::scene::Run;
 use impact_pair::watch::Watch;
 
@@ -94,7 +94,7 @@ impl Figure {
             cycles: self.cycles,
             orbit_cycles: self.orbit_cycles,
             zoom: self.zoom,
-            style: Style { is_certified: is_certified(settings.arithmetic), transient: self.transient },
+            style: Style { is_certified: settings.arithmetic.is_certified(), transient: self.transient },
             verdict: ending.to_string(),
             look: &self.look,
         };

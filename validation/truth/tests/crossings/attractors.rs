@@ -3,7 +3,6 @@
 
 use impact_pair::Error;
 use impact_pair::chaos::{Global, GlobalSettings};
-use impact_pair::document;
 use impact_pair::periodic::Precision;
 use impact_pair::watch::Unwatched;
 use impact_pair_truth::{Wall, float};
@@ -35,7 +34,7 @@ impl Case {
             ..GlobalSettings::default()
         };
         let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;
-        Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
+        Ok(Answer::Global(json!(found.document(&self.scene, &settings)?)))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use impact_pair::Error;
 use impact_pair::chaos::{Cells, RangeSettings};
-use impact_pair::document;
 use impact_pair::watch::Stage;
 use impact_pair_truth::{Contact, Wall};
 use serde_json::{Value, json};
@@ -39,7 +38,7 @@ impl Case {
         let found = Cells::of(self.scene.pair(), self.scene.start(), &requested, &|_: Stage<'_>| {
             limit.goes_on(MAX_WATCH_CALLS)
         })?;
-        Ok(Answer::Cells(json!(document::cells(&self.scene, &requested, &found))))
+        Ok(Answer::Cells(json!(found.document(&self.scene, &requested))))
     }
 }
 

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use impact_pair::exact::Exact;
-use impact_pair::orbit::{Settings, Start};
+use impact_pair::orbit::{Orbit, Settings, Start};
 use impact_pair::watch::Unwatched;
-use impact_pair::{Scene, document, scene};
+use impact_pair::{Scene, scene};
 use impact_pair_certificate::{Claims, Effort, Verdict};
 use impact_pair_truth::{Wall, float};
 use rug::Float;
@@ -114,7 +114,7 @@ fn bifurcation(point: &Value, scene: &Scene, key: &str) -> Compared<()> {
 /// Earliest time of the listed impact of this number; infinitely many of a chatter have no numbers.
 fn listed_time(scene: &Scene, number: u64) -> Option<Float> {
     let settings = Settings { impacts: Some(number), ..Settings::default() };
-    let orbit = serde_json::to_value(document::orbit(scene.pair(), scene.start(), settings).ok()?).ok()?;
+    let orbit = serde_json::to_value(Orbit::of(scene, settings).ok()?.document()).ok()?;
     let event = orbit["events"].as_array()?.iter().find(|event| event["index"] == number)?;
     Some(Bounds::read(&event["time"])?.0)
 }

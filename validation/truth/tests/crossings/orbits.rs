@@ -1,9 +1,8 @@
 //! Periodic orbits: each followed by the true motion from its own state, and those of a list that says there are no others compared
 //! with what motions lead to.
 
-use impact_pair::document;
 use impact_pair::mapping::Word;
-use impact_pair::orbit::{Arithmetic, Settings};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::{ImpactPair, Scene, orbit};
 use impact_pair_truth::{Contact, State, Tone, Wall, float};
 use rug::Float;
@@ -272,5 +271,5 @@ pub fn judge_all(document: &Value, scene: &Scene, starts: &[orbit::Start]) -> Co
 fn run(pair: &ImpactPair, start: &orbit::Start) -> Option<Value> {
     let settings =
         Settings { arithmetic: Arithmetic::Interval, impacts: Some(40), attractor: true, ..Settings::default() };
-    serde_json::to_value(document::orbit(pair, start, settings).ok()?).ok()
+    serde_json::to_value(Orbit::new(pair, start, settings).ok()?.document()).ok()
 }

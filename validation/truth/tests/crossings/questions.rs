@@ -10,7 +10,7 @@ use impact_pair::chaos::{
     self, BoxGraph, Chaos, Cycles, Global, GlobalSettings, HSet, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::describe::{Request, describe};
-use impact_pair::document;
+use impact_pair::json::WallWordsDocument;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
@@ -180,7 +180,7 @@ impl Case {
         }
         // `inari` takes one harmonic only.
         Orbit::of(&self.scene, Settings { impacts: Some(0), ..settings.clone() })?;
-        Ok(Answer::Orbit(json!(document::orbit(self.scene.pair(), self.scene.start(), settings)?)))
+        Ok(Answer::Orbit(json!(Orbit::new(self.scene.pair(), self.scene.start(), settings)?.document())))
     }
 
     /// A key with the number of a term, if there is one to be named, and its value in the scene.
@@ -263,7 +263,7 @@ impl Case {
         let cycles = self.random.pick(&[1, 1, 2, 3]);
         let question = two_impact::Problem::new(self.scene.pair(), cycles, two_impact::Unknown::Velocity)?;
         let wall = self.random.pick(&[Wall::Left, Wall::Right]);
-        Ok(Answer::Periodic(json!(document::two_impact(self.scene.start(), &question.answer(9), wall))))
+        Ok(Answer::Periodic(json!(question.answer(9).document(self.scene.start(), wall))))
     }
 
     fn bifurcations(&mut self, key: &str) -> Result<Answer, Error> {
@@ -281,7 +281,7 @@ impl Case {
         let limit = CallLimit::new();
         let watch = |_: Stage<'_>| limit.goes_on(if is_near_fold { 3_999 } else { 399 });
         let diagram = survey(self.scene.pair(), self.scene.start(), (&word, cycles), &diagram_settings, &watch)?;
-        let found = document::bifurcations(self.scene.start(), (&word, cycles), &diagram)?;
+        let found = diagram.document(self.scene.start(), (&word, cycles))?;
         Ok(Answer::Bifurcations(json!(found)))
     }
 
@@ -304,8 +304,8 @@ impl Case {
         let words = WallWords::of(&BoxGraph::of(self.scene.pair(), &region)?, impacts, &|at: Stage<'_>| {
             proceed_if(!matches!(at, Stage::Sets(BOXES..)))
         });
-        let mut document = document::trap(&self.scene, &region)?;
-        document.words = words.ok().as_ref().map(document::wall_words);
+        let mut document = region.document(&self.scene)?;
+        document.words = words.ok().as_ref().map(WallWordsDocument::from);
         Ok(Answer::Trap(json!(document)))
     }
 
@@ -323,15 +323,13 @@ impl Case {
             _ => limit.goes_on(MAX_CHAOS_CALLS[usize::from(is_given)]),
         };
         let found = Chaos::of_scene(&self.scene, &question, &watch)?;
-        let mut document = document::chaos(&self.scene, None, &found);
-        if found.entropy() > 0.0 && self.random.below(2) == 0 {
-            let set = Hyperbolic::of(self.scene.pair(), &found, &|at: Stage<'_>| match at {
-                Stage::Cones(cells) => proceed_if(cells < CELLS),
-                _ => proceed_if(true),
-            })?;
-            document = document::with_hyperbolic(document, &set);
-        }
-        Ok(Answer::Chaos(json!(document)))
+        let is_hyperbolic = found.entropy() > 0.0 && self.random.below(2) == 0;
+        let watch = |at: Stage<'_>| match at {
+            Stage::Cones(cells) => proceed_if(cells < CELLS),
+            _ => proceed_if(true),
+        };
+        let set = is_hyperbolic.then(|| Hyperbolic::of(self.scene.pair(), &found, &watch)).transpose()?;
+        Ok(Answer::Chaos(json!(found.document(&self.scene, None, set.as_ref()))))
     }
 
     /// Near the scene's own gap, of few impacts.
@@ -341,7 +339,7 @@ impl Case {
         let precision = Precision { digits: 9, max_bits: 512 };
         let settings = WindowSettings { over, impacts: 4_000, longest: 6, most: 1, precision };
         let found = Windows::of(&self.scene, &settings, &Unwatched)?;
-        Ok(Answer::Windows(json!(document::windows(&self.scene, &settings, &found)?)))
+        Ok(Answer::Windows(json!(found.document(&self.scene, &settings)?)))
     }
 
     /// Asks for a global analysis by few boxes.
@@ -354,7 +352,7 @@ impl Case {
             ..GlobalSettings::default()
         };
         let found = Global::of(self.scene.pair(), &settings, &Unwatched)?;
-        Ok(Answer::Global(json!(document::global(&self.scene, &settings, &found)?)))
+        Ok(Answer::Global(json!(found.document(&self.scene, &settings)?)))
     }
 
     /// Asks for an atlas of the scene's own parameters and others of which more is proved, by few boxes: a stronger forcing, and less restitution.
@@ -395,7 +393,7 @@ impl Case {
         let (word, work) = (Some("FFNFF".parse()?), TangencySettings::WORK);
         let settings = TangencySettings { over, word, longest: 5, most: 1, work, precision };
         let found = Tangencies::of(&self.scene, &settings, &Unwatched)?;
-        Ok(Answer::Tangency(json!(document::tangency(&self.scene, &found))))
+        Ok(Answer::Tangency(json!(found.document(&self.scene))))
     }
 
     fn cycles(&mut self) -> Result<Answer, Error> {
@@ -407,7 +405,7 @@ impl Case {
         };
         let precision = Precision { digits: 9, max_bits: 512 };
         let found = Cycles::of(&self.scene, 0, &requested, precision, &watch)?;
-        Ok(Answer::Cycles(json!(document::cycles(&self.scene, &requested, found.as_ref().map_err(|why| *why))?)))
+        Ok(Answer::Cycles(json!(Cycles::document(&self.scene, &requested, found.as_ref().map_err(|why| *why))?)))
     }
 
     /// The audit of true impacts, in forty digits.

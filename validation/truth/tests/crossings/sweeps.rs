@@ -1,7 +1,7 @@
 //! A sweep: each point against the run of its own scene, which the true motion judges.
 
-use impact_pair::orbit::{Arithmetic, Settings};
-use impact_pair::{Scene, document, sweep};
+use impact_pair::orbit::{Arithmetic, Orbit, Settings};
+use impact_pair::{Scene, sweep};
 use impact_pair_truth::{Tone, float};
 use rug::float::Constant;
 use serde_json::Value;
@@ -68,7 +68,7 @@ fn own(record: &Value, scene: &Scene, requested: &sweep::PointSettings) -> Compa
     };
     let impacts = Some(requested.transient + requested.impacts);
     let settings = Settings { impacts, arithmetic, attractor: true, ..requested.settings.clone() };
-    let Ok(found) = document::orbit(scene.pair(), scene.start(), settings) else {
+    let Ok(found) = Orbit::of(scene, settings).map(|mut orbit| orbit.document()) else {
         return wrong("the point is computed, its own scene is refused".into());
     };
     let found = serde_json::to_value(found).expect("plain data");

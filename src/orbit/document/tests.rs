@@ -35,7 +35,7 @@ fn document(scene: &Scene, arithmetic: Arithmetic) -> (Value, Vec<Impact>) {
     let mut orbit = Orbit::of(scene, Settings { arithmetic, max_bits: 64, ..scene.settings() }).unwrap();
     let impacts: Vec<Impact> = orbit.by_ref().collect();
     let settings = Settings { arithmetic, max_bits: 64, ..scene.settings() };
-    let document = super::orbit(scene.pair(), scene.start(), settings).unwrap();
+    let document = Orbit::of(scene, settings).unwrap().document();
     (serde_json::to_value(document).unwrap(), impacts)
 }
 

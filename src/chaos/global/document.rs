@@ -5,8 +5,10 @@ use impact_pair_document::{
     PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, UpTo, bounds,
 };
 
-use super::chaos::{base, entropy};
-use crate::chaos::{Basin, Class, Global, GlobalSettings, Horseshoe, Kind, Recurrence, spectral_radius};
+use super::known::spectral_radius;
+use super::{Basin, Class, Global, GlobalSettings, Kind, Recurrence};
+use crate::chaos::document::{base, entropy};
+use crate::chaos::horseshoe::Horseshoe;
 use crate::exact::{Enclosure, decimal_f64};
 use crate::units::Units;
 use crate::{Error, Scene};
@@ -16,28 +18,30 @@ const PARTS: f64 = 1e6;
 /// Bits of bounds that are read from decimals.
 const BITS: u32 = 256;
 
-/// Returns the document of where the motions of a scene's pair go.
-///
-/// # Errors
-/// If a value exceeds the range of exact expressions.
-pub fn global(scene: &Scene, settings: &GlobalSettings, found: &Global) -> Result<GlobalDocument, Error> {
-    let class = found.class();
-    let document = GlobalDocument {
-        schema: GLOBAL_SCHEMA.to_owned(),
-        program: PROGRAM.to_owned(),
-        certified: !found.interrupted && matches!(class, Class::OneRestCycle | Class::OneAttractor),
-        scene: SceneDocument::new(scene.pair(), scene.start()),
-        class: class.name().to_owned(),
-        statement: String::new(),
-        greatest_speed: Decimal::printed(decimal_f64(found.fastest)),
-        boxes: settings.boxes,
-        halvings: settings.halvings,
-        interrupted: found.interrupted,
-        components: found.components.iter().map(|own| component(own, settings)).collect::<Result<_, _>>()?,
-        order: found.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
-        basins: settings.basins.and_then(|boxes| basins(boxes, found)),
-    };
-    Ok(document.with_statement())
+impl Global {
+    /// Returns the document of where the motions of a scene's pair go.
+    ///
+    /// # Errors
+    /// If a value exceeds the range of exact expressions.
+    pub fn document(&self, scene: &Scene, settings: &GlobalSettings) -> Result<GlobalDocument, Error> {
+        let class = self.class();
+        let document = GlobalDocument {
+            schema: GLOBAL_SCHEMA.to_owned(),
+            program: PROGRAM.to_owned(),
+            certified: !self.interrupted && matches!(class, Class::OneRestCycle | Class::OneAttractor),
+            scene: SceneDocument::new(scene.pair(), scene.start()),
+            class: class.name().to_owned(),
+            statement: String::new(),
+            greatest_speed: Decimal::printed(decimal_f64(self.fastest)),
+            boxes: settings.boxes,
+            halvings: settings.halvings,
+            interrupted: self.interrupted,
+            components: self.components.iter().map(|own| component(own, settings)).collect::<Result<_, _>>()?,
+            order: self.order.iter().map(|pair| pair.map(|i| i as u32)).collect(),
+            basins: settings.basins.and_then(|boxes| basins(boxes, self)),
+        };
+        Ok(document.with_statement())
+    }
 }
 
 /// The basins of the attractors, if there are any. Lemma A11: in whole parts of the state space, rounded so that no more is proved
@@ -78,7 +82,7 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
 }
 
 /// Returns the document of a horseshoe of words of at most N impacts.
-pub(crate) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
+pub(super) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
     let bases = found.bases.iter().map(base).collect();
     ProvedHorseshoeDocument { depth: UpTo::counted(depth), entropy: entropy(found.entropy), bases }
 }

@@ -4,10 +4,10 @@ use impact_pair_document::{
     EigenvalueDocument, MeasuredImpact, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, RESTING,
     RegionDocument, SceneDocument, bounds,
 };
+use impact_pair_model::Start;
 
+use super::{Census, Eigenvalue, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region};
 use crate::exact::{Enclosure, Exact};
-use crate::orbit::Start;
-use crate::periodic::{Census, Eigenvalue, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region};
 use crate::turns;
 use crate::units::{Units, in_radians};
 
@@ -42,13 +42,13 @@ impl Units<Exact> {
     }
 
     /// An orbit of a problem.
-    pub(super) fn orbit(&self, problem: &Problem, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
+    pub(crate) fn orbit(&self, problem: &Problem, orbit: &PeriodicOrbit) -> PeriodicOrbitDocument {
         let document = periodic_orbit(&self.measured(orbit));
         PeriodicOrbitDocument { impacts: counted(problem, &orbit.impacts, document.impacts), ..document }
     }
 
     /// An impact of a search or of a bifurcation, in N bits and forcing periods of the common period.
-    pub(super) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> MeasuredImpact {
+    pub(crate) fn impact(&self, impact: &PeriodicImpact, (bits, period): (u32, u32)) -> MeasuredImpact {
         measured_impact(impact, (bits, period), |velocity| self.velocity(velocity, bits)).map(bounds)
     }
 }
@@ -64,7 +64,7 @@ fn counted(problem: &Problem, impacts: &[PeriodicImpact], mut listed: Vec<Measur
 }
 
 /// An orbit in the units that `velocity` forcing periods gap widths per forcing period into.
-pub(super) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
+pub(crate) fn measured(orbit: &PeriodicOrbit, velocity: impl Fn(&Enclosure) -> Enclosure) -> MeasuredOrbit {
     let impact = |impact: &PeriodicImpact| measured_impact(impact, (orbit.bits, orbit.period), &velocity);
     MeasuredOrbit {
         period: orbit.period,
@@ -96,7 +96,7 @@ fn measured_impact(
 }
 
 /// A periodic orbit; what only two-impact motions have is left out.
-pub(super) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
+pub(crate) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
     let eigenvalue = |value: &Eigenvalue| EigenvalueDocument { re: bounds(&value.re), im: bounds(&value.im) };
     PeriodicOrbitDocument {
         impacts: orbit.impacts.iter().map(|impact| impact.map(bounds)).collect(),

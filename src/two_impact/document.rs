@@ -6,28 +6,30 @@ use impact_pair_document::{
     CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
     PeriodicOrbitDocument, RESTING, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
 };
+use impact_pair_model::Start;
 
-use super::periodic::periodic_orbit;
-use crate::orbit::Start;
+use super::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
 use crate::pair::Wall;
-use crate::two_impact::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
+use crate::periodic::document::periodic_orbit;
 
-/// Returns an answer, its impacts listed from `wall`; `start` only names the scene.
-pub fn two_impact(start: &Start, answer: &Answer, wall: Wall) -> TwoImpactDocument {
-    let problem = answer.problem();
-    let unknown = problem.unknown();
-    TwoImpactDocument {
-        schema: PERIODIC_SCHEMA.to_owned(),
-        program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(problem.pair(), start),
-        word: word(wall).to_owned(),
-        cycles: problem.cycles(),
-        solved_for: unknown.name().to_owned(),
-        exhaustive: answer.is_exhaustive,
-        excludes: answer.is_exhaustive.then(|| RESTING.to_owned()),
-        certified: answer.is_complete,
-        undecided: answer.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
-        orbits: answer.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),
+impl Answer {
+    /// Returns the document of this answer, its impacts listed from `wall`; `start` only names the scene.
+    pub fn document(&self, start: &Start, wall: Wall) -> TwoImpactDocument {
+        let problem = self.problem();
+        let unknown = problem.unknown();
+        TwoImpactDocument {
+            schema: PERIODIC_SCHEMA.to_owned(),
+            program: PROGRAM.to_owned(),
+            scene: SceneDocument::new(problem.pair(), start),
+            word: word(wall).to_owned(),
+            cycles: problem.cycles(),
+            solved_for: unknown.name().to_owned(),
+            exhaustive: self.is_exhaustive,
+            excludes: self.is_exhaustive.then(|| RESTING.to_owned()),
+            certified: self.is_complete,
+            undecided: self.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
+            orbits: self.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),
+        }
     }
 }
 
@@ -59,21 +61,23 @@ fn sign(of: Ordering) -> &'static str {
     }
 }
 
-/// Returns the parameter manifolds of one range, possibly `interrupted`; `start` only names the scene.
-pub fn manifolds(range: &Range<'_>, start: &Start, curves: &[Manifold], interrupted: bool) -> ManifoldDocument {
-    let axis = range.axis;
-    let curve = |curve: &Manifold| CurveDocument {
-        cycles: curve.cycles,
-        points: curve.points.iter().map(|at| point(axis, at)).collect(),
-    };
-    ManifoldDocument {
-        schema: MANIFOLD_SCHEMA.to_owned(),
-        program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(range.pair, start),
-        over: axis.name().to_owned(),
-        certified: !interrupted,
-        interrupted,
-        curves: curves.iter().map(curve).collect(),
+impl Range<'_> {
+    /// Returns the document of the parameter manifolds over this range, possibly `interrupted`; `start` only names the scene.
+    pub fn document(&self, start: &Start, curves: &[Manifold], interrupted: bool) -> ManifoldDocument {
+        let axis = self.axis;
+        let curve = |curve: &Manifold| CurveDocument {
+            cycles: curve.cycles,
+            points: curve.points.iter().map(|at| point(axis, at)).collect(),
+        };
+        ManifoldDocument {
+            schema: MANIFOLD_SCHEMA.to_owned(),
+            program: PROGRAM.to_owned(),
+            scene: SceneDocument::new(self.pair, start),
+            over: axis.name().to_owned(),
+            certified: !interrupted,
+            interrupted,
+            curves: curves.iter().map(curve).collect(),
+        }
     }
 }
 

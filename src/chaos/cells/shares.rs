@@ -5,7 +5,7 @@ use num_traits::{ToPrimitive, Zero};
 
 use impact_pair_document::SharesDocument;
 
-use crate::chaos::{Cells, Stretch, Verdict};
+use super::{Cells, Stretch, Verdict};
 use crate::exact::Exact;
 use crate::scene::Range;
 

@@ -4,38 +4,35 @@ use impact_pair_document::{
     BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, BranchDocument, PROGRAM, PeriodicOrbitDocument,
     SceneDocument, UnprovedDocument, bounds,
 };
+use impact_pair_model::Start;
 
-use super::chaos::range;
-use super::periodic::periodic_orbit;
+use super::{Branch, Diagram, End, Point, Unproved};
 use crate::Error;
 use crate::mapping::Word;
-use crate::orbit::Start;
-use crate::periodic::bifurcation::{Branch, Diagram, End, Point, Unproved};
+use crate::periodic::document::periodic_orbit;
 use crate::units::Units;
 
-/// Bifurcations of a word's orbits over a parameter; its own value in the pair, and `start`, only name the scene.
-///
-/// # Errors
-/// If a value exceeds the range of exact expressions.
-pub fn bifurcations(
-    start: &Start,
-    (word, cycles): (&Word, u32),
-    diagram: &Diagram,
-) -> Result<BifurcationDocument, Error> {
-    Ok(BifurcationDocument {
-        schema: BIFURCATION_SCHEMA.to_owned(),
-        program: PROGRAM.to_owned(),
-        scene: SceneDocument::new(diagram.pair(), start),
-        word: word.to_string(),
-        cycles,
-        over: range(diagram.over()),
-        exhaustive: false,
-        certified: diagram.is_certified(),
-        interrupted: diagram.interrupted,
-        points: diagram.points.iter().map(|found| point(found, diagram)).collect::<Result<_, _>>()?,
-        branches: diagram.branches.iter().map(|followed| branch(followed, diagram)).collect(),
-        undecided: diagram.unproved.iter().map(|open| unproved(open, diagram)).collect(),
-    })
+impl Diagram {
+    /// Returns the document of the bifurcations of a word's orbits; the parameter's own value in the pair, and `start`, only name the scene.
+    ///
+    /// # Errors
+    /// If a value exceeds the range of exact expressions.
+    pub fn document(&self, start: &Start, (word, cycles): (&Word, u32)) -> Result<BifurcationDocument, Error> {
+        Ok(BifurcationDocument {
+            schema: BIFURCATION_SCHEMA.to_owned(),
+            program: PROGRAM.to_owned(),
+            scene: SceneDocument::new(self.pair(), start),
+            word: word.to_string(),
+            cycles,
+            over: self.over().into(),
+            exhaustive: false,
+            certified: self.is_certified(),
+            interrupted: self.interrupted,
+            points: self.points.iter().map(|found| point(found, self)).collect::<Result<_, _>>()?,
+            branches: self.branches.iter().map(|followed| branch(followed, self)).collect(),
+            undecided: self.unproved.iter().map(|open| unproved(open, self)).collect(),
+        })
+    }
 }
 
 fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, Error> {

@@ -7,7 +7,6 @@ use serde::{Serialize, Serializer};
 use impact_pair_document::{Between, Decimal, EventDocument, EventName, NotNegative, Skipped};
 use impact_pair_model::{EventKind, Miss};
 
-use super::orbit::is_certified;
 use crate::exact::{Enclosure, decimal_bounds, decimal_digits, decimal_f64};
 use crate::orbit::{Impact, Orbit, Progress};
 use crate::pair::Wall;
@@ -178,7 +177,7 @@ pub enum Bounds {
 impl Bounds {
     /// Returns the number `x` of an orbit: certified, or computed by a non-rigorous arithmetic.
     fn of(orbit: &Orbit, x: Enclosure) -> Self {
-        if is_certified(orbit.arithmetic()) { Self::Certified(x) } else { Self::Float(x) }
+        if orbit.arithmetic().is_certified() { Self::Certified(x) } else { Self::Float(x) }
     }
 
     /// Returns the number.

@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use impact_pair_document::{ArithmeticDocument, counted};
+use impact_pair_document::{OrbitHead, counted};
 
 use super::conclusion::Conclusion;
-use super::orbit::{arithmetic, is_certified};
 use crate::contact::Reason;
 use crate::orbit::{Arithmetic, BITS, GRAZE_BITS, Limit, Orbit, Settings, VERDICT_BITS};
 use crate::scene::DIGITS;
@@ -14,8 +13,8 @@ use crate::scene::DIGITS;
 pub struct Ending<'s> {
     /// The conclusion of the orbit.
     pub conclusion: Conclusion,
-    /// The arithmetic, as in the orbit JSON.
-    pub computed: ArithmeticDocument,
+    /// The head of the orbit JSON.
+    pub head: OrbitHead,
     /// The first impact whose enclosure is wider than the requested digits.
     pub wide: Option<u64>,
     /// The request.
@@ -29,8 +28,8 @@ pub struct Ending<'s> {
 impl<'s> Ending<'s> {
     /// Returns the ending of an orbit that has ended, or was left.
     pub fn of(orbit: &Orbit, conclusion: Conclusion, settings: &'s Settings) -> Self {
-        let (computed, wide, bits) = (arithmetic(orbit), orbit.first_wide(), orbit.bits());
-        Self { conclusion, computed, wide, settings, bits, limit: orbit.limit() }
+        let (head, wide, bits) = (orbit.head(), orbit.first_wide(), orbit.bits());
+        Self { conclusion, head, wide, settings, bits, limit: orbit.limit() }
     }
 
     /// Returns whether everything requested is certified, or with `float` computed.
@@ -75,7 +74,7 @@ impl<'s> Ending<'s> {
 impl fmt::Display for Ending<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message = self.conclusion.message();
-        match (self.conclusion.reason(), is_certified(self.settings.arithmetic)) {
+        match (self.conclusion.reason(), self.settings.arithmetic.is_certified()) {
             (Some(_), _) => f.write_str(message)?,
             (None, true) => write!(f, "certified: {message}")?,
             (None, false) => write!(f, "computed, not certified: {message}")?,

@@ -1,14 +1,13 @@
 //! Outcome of an orbit as a document, whose message follows from its fields.
 
-pub use impact_pair_document::counted;
 use impact_pair_document::{Between, Decimal, EpsilonDocument, NearDocument, OutcomeDocument, Written, bounds};
 
 use super::event::Event;
-use super::periodic::{measured, periodic_orbit};
 use crate::contact::Reason;
 use crate::exact::{Enclosure, Exact, decimal_bounds_f64};
 use crate::orbit::{Orbit, Outcome, Shadowing};
 use crate::periodic::Attractor;
+use crate::periodic::document::{measured, periodic_orbit};
 
 /// The end of an orbit: the `outcome` of the orbit JSON.
 #[derive(Clone, Debug)]
