@@ -15,7 +15,8 @@ const SCENE: &str = r#"
 
 fn main() -> Result<(), Error> {
     let scene = Scene::parse(SCENE)?;
-    let chaos = Chaos::of_scene(&scene, &HorseshoeSettings { depth: Some(8), bases: Vec::new() }, &Unwatched)?;
+    let chaos =
+        Chaos::of_scene(&scene, &HorseshoeSettings { depth: Some(8), ..HorseshoeSettings::default() }, &Unwatched)?;
     println!("{} words of at most {} impacts, {} boxes", chaos.words().len(), chaos.depth(), chaos.boxes());
     println!(
         "topological entropy at least {:.4} per impact, {:.4} per forcing period",

@@ -120,7 +120,7 @@ pub use impact_pair_exact as exact;
 pub use impact_pair_model::scene;
 #[doc(inline)]
 pub use impact_pair_model::watch;
-pub use impact_pair_model::{Error, ErrorKind, Excitation, Harmonic, ImpactPair, Scene};
+pub use impact_pair_model::{Effort, Error, ErrorKind, Excitation, Harmonic, ImpactPair, Scene};
 /// The package inari, in the version that this crate computes with; in a build with the feature `inari`.
 #[cfg(all(feature = "inari", target_feature = "fma"))]
 pub use inari;

@@ -204,7 +204,7 @@ fn r47_the_search_for_an_attractor_can_be_stopped_and_goes_on() {
 #[test]
 fn r48_a_search_for_h_sets_that_is_stopped_says_so() {
     let is_interrupted = |number: u32, stops: fn(&Stage<'_>) -> bool| {
-        let question = HorseshoeSettings { depth: Some(1), bases: Vec::new() };
+        let question = HorseshoeSettings { depth: Some(1), ..HorseshoeSettings::default() };
         let chaos = Chaos::of_scene(&figure(number), &question, &|at: Stage<'_>| proceed_if(!stops(&at))).unwrap();
         assert_eq!(chaos.entropy(), 0.0, "figure {number}");
         chaos.is_interrupted()

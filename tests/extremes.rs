@@ -2,12 +2,12 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use impact_pair::Scene;
 use impact_pair::chaos::{NoTrap, Trap};
 use impact_pair::contact::Reason;
 use impact_pair::orbit::Progress;
 use impact_pair::orbit::{Impact, Orbit, Outcome, Settings};
 use impact_pair::watch::{Stage, proceed_if};
+use impact_pair::{Effort, Scene};
 
 fn scene(excitation: &str, pair: &str, start: &str) -> Scene {
     Scene::parse(&format!("excitation = {{ {excitation} }}\npair = {{ {pair} }}\nstart = {{ {start} }}")).unwrap()
@@ -186,7 +186,7 @@ fn r48_no_region_is_looked_for_where_the_map_preserves_area() {
             boxes.fetch_add(usize::from(matches!(at, Stage::Region(_))), Ordering::Relaxed);
             proceed_if(true)
         };
-        let found = Trap::of(&Scene::parse(&text).unwrap(), 0, &watch).unwrap();
+        let found = Trap::of(&Scene::parse(&text).unwrap(), Effort::default(), &watch).unwrap();
         (found.err(), boxes.into_inner())
     };
     for restitution in ["1", "\"[0.99, 1]\"", "\"[0, 1]\""] {

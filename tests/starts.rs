@@ -8,7 +8,7 @@ use impact_pair::orbit::{Arithmetic, Dense, INARI, Impact, Orbit, Place, Setting
 use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
 use impact_pair::watch::Unwatched;
-use impact_pair::{Error, Scene};
+use impact_pair::{Effort, Error, Scene};
 use impact_pair_certificate::{Certificate, Verdict};
 use num_rational::BigRational;
 use serde_json::json;
@@ -212,8 +212,8 @@ fn a_start_outside_the_box_of_a_pair_is_refused_by_all_that_follow_it() {
         refused.push(Orbit::new(&pair, start, settings).err());
     }
     refused.push(Shadow::new(&pair, start).err());
-    refused.push(Trap::of_pair(&pair, start, 0, &Unwatched).err());
-    refused.push(Chaos::of(&pair, start, &HorseshoeSettings { depth: None, bases: Vec::new() }, &Unwatched).err());
+    refused.push(Trap::of_pair(&pair, start, Effort::default(), &Unwatched).err());
+    refused.push(Chaos::of(&pair, start, &HorseshoeSettings::default(), &Unwatched).err());
     refused.push(seen_impacts(&pair, start, [0, 1]).err());
     for error in refused {
         let error = error.expect("the start is not in the box");

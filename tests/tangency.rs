@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::periodic::Precision;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
+use impact_pair::{Effort, Scene};
 
 use crate::setup::{changed, scene};
 
@@ -20,8 +20,8 @@ fn figure_14() -> Scene {
 fn settings(over: &str, word: &str, digits: u32) -> TangencySettings {
     let word = Some(word.parse().unwrap());
     let precision = Precision { digits, ..Precision::default() };
-    let work = TangencySettings::WORK;
-    TangencySettings { over: over.parse().unwrap(), word, longest: 10, most: 3, work, precision }
+    let effort = Effort::default();
+    TangencySettings { over: over.parse().unwrap(), word, longest: 10, most: 3, effort, precision }
 }
 
 fn found(over: &str, word: &str, digits: u32) -> Tangencies {
@@ -176,11 +176,12 @@ fn r48_a_search_over_all_words_can_be_stopped_at_once() {
 /// The work of a search is bounded; one that ends there is not certified, and says why.
 #[test]
 fn r48_a_search_ends_at_the_limit_of_its_work() {
-    let found = |work: usize| {
-        let all = TangencySettings { word: None, longest: 10, work, ..settings("gap=9.4244..9.4254", FIRST, 9) };
+    let found = |effort: &str| {
+        let effort = effort.parse().unwrap();
+        let all = TangencySettings { word: None, longest: 10, effort, ..settings("gap=9.4244..9.4254", FIRST, 9) };
         Tangencies::of(&figure_14(), &all, &Unwatched).unwrap()
     };
-    let (few, all) = (found(1_000), found(TangencySettings::WORK));
+    let (few, all) = (found("3e-5"), found("1"));
     assert!(few.limited && !few.interrupted && !few.is_certified());
     assert!(!all.limited);
     let document = few.document(&figure_14());

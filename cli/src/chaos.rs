@@ -6,14 +6,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use impact_pair::Scene;
-use impact_pair::chaos::{
-    Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, MOST_HALVINGS, RangeSettings,
-};
+use impact_pair::chaos::{Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS, MOST_DEPTH, RangeSettings};
 use impact_pair::exact::Exact;
 use impact_pair::json::{GivenBase, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
 use impact_pair::scene::Range;
+use impact_pair::{Effort, Scene};
 use serde::Deserialize;
 
 use crate::Answer;
@@ -55,7 +53,7 @@ pub struct ChaosArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     /// Maximum number of impacts of a word: each further impact takes about 1.3 times as long [default: as many as about a
-    /// million boxes lead to; with :COUNT 12]
+    /// million boxes times --effort lead to; with :COUNT 12]
     #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
     depth: Option<u32>,
     /// Prove as well that the motions of the words are uniformly hyperbolic: bounds of the exponents of all their invariant measures, and of
@@ -72,9 +70,10 @@ pub struct ChaosArguments {
     /// by one: whether each holds a horseshoe, or a stable periodic orbit that the scene's own orbit converges to, or another one
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range, allow_hyphen_values = true)]
     over: Option<Range>,
-    /// With :COUNT: bisect an undecided cell up to N times
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole(0..=MOST_HALVINGS))]
-    halvings: u32,
+    /// Multiply the work by X: without --depth the million boxes that words may take; with :COUNT an undecided cell is bisected up to 8 times, and
+    /// once more where X doubles, up to 24 times
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
     /// Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1
     /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
@@ -146,7 +145,7 @@ impl Work<'_> {
     /// One horseshoe, for one pair or for all of a range at once.
     fn horseshoe(self, over: Option<&Range>, bases: Vec<HSet>) -> Result<Answer> {
         let (scene, depth) = (self.scene, self.arguments.depth.map(|depth| depth as usize));
-        let question = HorseshoeSettings { depth, bases };
+        let question = HorseshoeSettings { depth, bases, effort: self.arguments.effort };
         let ranges: Vec<_> = over.iter().map(|over| (over.key(), over.to_string())).collect();
         let about = |error: impact_pair::Error| scene::about(error, &ranges, &self.arguments.scene);
         let pair = match over {
@@ -183,8 +182,8 @@ impl Work<'_> {
     /// Writes the verdicts over a range.
     fn cells(self, over: &Range, cells: u32) -> Result<Answer> {
         let scene = self.scene;
-        let (halvings, depth) =
-            (self.arguments.halvings, self.arguments.depth.map_or(DEFAULT_DEPTH, |depth| depth as usize));
+        let halvings = RangeSettings::halvings(self.arguments.effort);
+        let depth = self.arguments.depth.map_or(DEFAULT_DEPTH, |depth| depth as usize);
         let requested = RangeSettings { over: over.clone(), cells, halvings, depth };
         let progress = Progress::cells(cells, !self.files.quiet);
         let found = Cells::of(scene.pair(), scene.start(), &requested, &progress);

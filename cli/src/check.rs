@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result, anyhow};
 use clap::{Args, ValueEnum};
-use impact_pair::Scene;
 use impact_pair::json::{CheckDocument, SceneDocument, one_a_line};
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair::{Effort, Scene};
+use impact_pair_certificate::{Claims, Verdict};
 use serde_json::{Deserializer, Value};
 
 use crate::Answer;
@@ -67,9 +67,9 @@ pub struct CheckArguments {
     /// Accept no claim that is not checked: exit 1 where the first line names one
     #[arg(long, conflicts_with = "verified")]
     pub strict: bool,
-    /// Multiply the work allowed for each claim by TIMES before it is left undecided
-    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = crate::values::count(1..=u64::MAX))]
-    pub effort: u64,
+    /// Multiply the work allowed for each claim by X, before it is left undecided
+    #[arg(long, value_name = "X", default_value_t)]
+    pub effort: Effort,
     /// Output format; json is schema impact-pair/check/1, with --verified impact-pair/verified/1 [default: by the extension of --output, else text]
     #[arg(long, value_enum)]
     pub format: Option<CheckFormat>,
@@ -85,15 +85,6 @@ pub enum CheckFormat {
     Text,
     /// Each claim with its verdict, and the path of each value that is not checked
     Json,
-}
-
-impl CheckArguments {
-    /// Returns the limits of the check.
-    pub fn effort(&self) -> Effort {
-        let Effort { parts, work, .. } = Effort::default();
-        let times = u32::try_from(self.effort).unwrap_or(u32::MAX);
-        Effort { parts: parts.saturating_mul(times), work: work.saturating_mul(self.effort), ..Effort::default() }
-    }
 }
 
 pub fn check(arguments: &CheckArguments) -> Result<Answer> {
@@ -112,7 +103,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     })?;
     let Files { mut out, quiet, .. } = arguments.destination.open(&[path], None)?;
     let progress = Progress::new(Some(claims.count() as u64), !quiet);
-    let judged = claims.judge(&arguments.effort(), &progress).with_context(|| scene::name(path))?;
+    let judged = claims.judge(&arguments.effort.into(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let sha256 = Some(verified::sha256(&text));
     let document = CheckDocument { sha256, ..claims.document(&text, &judged) };

@@ -6,13 +6,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use impact_pair::Scene;
 use impact_pair::chaos::{Cycle, Cycles, MOST_IMPACTS, NoTrap};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::counted;
 use impact_pair::pair::Wall;
 use impact_pair::periodic::{Precision, Stability};
 use impact_pair::watch::Watch;
+use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Destination, OpenOutput};
@@ -22,7 +22,7 @@ use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
 use crate::trap;
-use crate::values::{digits, numbers, whole};
+use crate::values::{digits, numbers};
 
 pub const HELP: &str = "\
 Examples:
@@ -49,9 +49,9 @@ pub struct CyclesArguments {
     /// Requested width of enclosures, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W [default: that of the scene, or 9]
     #[arg(long, value_name = "D", value_parser = digits())]
     digits: Option<u32>,
-    /// Bisect the boxes of the coarsest region N times, to decide more
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=6))]
-    finer: u32,
+    /// Multiply the work by X, to decide more: 2, 4, .., 64 bisect the boxes of the coarsest region once, twice, .., 6 times
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
     /// Output format; json is schema impact-pair/cycles/1
     /// [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
@@ -68,7 +68,7 @@ pub fn cycles(arguments: &CyclesArguments) -> Result<Answer> {
     let digits = arguments.digits.or(scene.run().digits).unwrap_or(usual.digits);
     let progress = Progress::stages(!files.quiet);
     let precision = Precision { digits, ..usual };
-    let found = Cycles::of(&scene, arguments.finer, &arguments.impacts, precision, &progress).with_context(named)?;
+    let found = Cycles::of(&scene, arguments.effort, &arguments.impacts, precision, &progress).with_context(named)?;
     progress.clear();
     let found = found.as_ref().map_err(|why| *why);
     if let Some(why) = found.ok().and_then(|found| found.trap().coarser()) {

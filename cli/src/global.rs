@@ -5,11 +5,10 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use impact_pair::Scene;
-use impact_pair::chaos::{DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
+use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
 use impact_pair::exact::decimal_digits;
-use impact_pair::json::GlobalDocument;
-use impact_pair::json::counted;
+use impact_pair::json::{GlobalDocument, counted};
+use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -17,7 +16,7 @@ use crate::graph::{Graph, Value};
 use crate::heading::pair_heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{count, digits, whole};
+use crate::values::{digits, whole};
 
 pub const HELP: &str = "\
 Examples:
@@ -49,22 +48,13 @@ I/O.";
 pub struct GlobalArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// Boxes of the first partition, about: 2^N
-    #[arg(long, value_name = "N", default_value_t = 14, value_parser = whole(GlobalSettings::BOXES))]
-    boxes: u32,
-    /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole(GlobalSettings::HALVINGS))]
-    halvings: u32,
-    /// Map about N boxes in all, those of the smallest undecided component first
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_BOXES as u64, value_parser = count(1..=1_000_000_000))]
-    most: u64,
-    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted; as much again
-    /// for basins
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_WORK, value_parser = count(1..=1_000_000_000_000))]
-    work: u64,
-    /// Prove basins of attraction, by about 2^N boxes [default: none; with --plot 16]
-    #[arg(long, value_name = "N", value_parser = whole(GlobalSettings::BASINS))]
-    basins: Option<u32>,
+    /// Multiply the work by X: at 1 about 300,000 boxes are mapped in all, from a partition into 16,384, those of the smallest undecided
+    /// component first
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
+    /// Prove basins of attraction, by about 65,536 boxes times --effort [with --plot they are]
+    #[arg(long)]
+    basins: bool,
     /// Look for a horseshoe in undecided components, the four largest ones, by words of at most K impacts: some seconds each
     #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
     horseshoes: Option<u32>,
@@ -78,9 +68,6 @@ pub struct GlobalArguments {
     #[command(flatten)]
     drawing: Drawing,
 }
-
-/// Basins of pictures are proved by 2^N boxes.
-const DEFAULT_BASIN_DEPTH: u32 = 16;
 
 /// Output formats of a global analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -100,18 +87,13 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
     let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
-    let mut settings = GlobalSettings {
-        boxes: 1 << arguments.boxes,
-        halvings: arguments.halvings,
-        most: usize::try_from(arguments.most)?,
-        work: arguments.work,
-        basins: arguments
-            .basins
-            .or(arguments.drawing.plot.is_some().then_some(DEFAULT_BASIN_DEPTH))
-            .map(|halvings| 1 << halvings),
+    let has_basins = arguments.basins || arguments.drawing.plot.is_some();
+    let usual = GlobalSettings {
+        basins: has_basins.then_some(GlobalSettings::USUAL_BASINS),
         horseshoes: arguments.horseshoes.map(|depth| depth as usize),
         ..GlobalSettings::default()
     };
+    let mut settings = usual.with_effort(arguments.effort);
     settings.precision.digits = arguments.digits.or(scene.run().digits).unwrap_or(settings.precision.digits);
     let progress = Progress::stages(!files.quiet);
     let found = Global::of(scene.pair(), &settings, &progress).with_context(named)?;
@@ -176,9 +158,9 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
 /// The limit that leaves a component undecided.
 fn limit(reason: Reason) -> &'static str {
     match reason {
-        Reason::Most => "--most boxes are mapped",
-        Reason::Halvings => "its boxes are halved as often as --halvings says",
-        Reason::Work => "its images take more than what is left of --work",
+        Reason::Most => "as many boxes are mapped as --effort allows",
+        Reason::Halvings => "its boxes are halved as often as they can be",
+        Reason::Work => "its images take more than --effort leaves for them",
         Reason::Interrupted => "interrupted",
     }
 }

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use anyhow::{Error, Result, bail};
 use clap::Args;
-use impact_pair::Scene;
 use impact_pair::exact::{decimal_bounds, decimal_digits};
 use impact_pair::json::counted;
 use impact_pair::scene::{Key, Range};
@@ -13,6 +12,7 @@ use impact_pair::tangency::{
     Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, at_least,
     is_tangency_range,
 };
+use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -71,10 +71,10 @@ pub struct TangencyArguments {
     /// Maximum number of tangencies that are proved, the nearest ones
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = count(1..=100_000))]
     most: u64,
-    /// Compute about N flights in floating point for each saddle in the search without --word, and spend as much again on following folds, 10,000
-    /// flights each
-    #[arg(long, value_name = "N", default_value_t = TangencySettings::WORK as u64, value_parser = count(1..=1_000_000_000_000))]
-    work: u64,
+    /// Multiply the work by X: the search without --word takes about 30 million flights in floating point for each saddle, and as much again to
+    /// follow folds, 10,000 flights each
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
     #[command(flatten)]
     precision: PrecisionArguments,
     /// Output format; json is schema impact-pair/tangency/1 [default: by the extension of --output, else table]
@@ -107,7 +107,7 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,
-        work: usize::try_from(arguments.work)?,
+        effort: arguments.effort,
         precision: arguments.precision.of(&scene),
     };
     let progress = Progress::stages(!files.quiet);
@@ -175,7 +175,7 @@ fn conclusion(found: &Tangencies) -> String {
     }
     if found.limited {
         return format!(
-            "undecided: {proved} proved; the search ended at the limit of its work: try a --word, a smaller --longest or a larger --work"
+            "undecided: {proved} proved; the search ended at the limit of its work: try a --word, a smaller --longest or more --effort"
         );
     }
     format!("undecided: {proved} proved; try another --word, a larger --longest or a wider --over")

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use impact_pair::Scene;
 use impact_pair::chaos::{BoxGraph, MOST_COUNTED, NoTrap, Trap, WallWords};
 use impact_pair::json::{TrapDocument, WallWordsDocument, counted};
+use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -40,7 +40,7 @@ entropy of the motions themselves may be greater: two may have one word.
 The formats graphml and dot write the graph of boxes, with --words the graph of words, whose paths from node 0 on \
 are the words. At a graze both walls are allowed.
 
-Exit code: 0 a region is proved, as fine as --finer requests, the scene's own orbit is in it from some impact on, and the \
+Exit code: 0 a region is proved, as fine as --effort requests, the scene's own orbit is in it from some impact on, and the \
 words are counted if --words is given; 1 one of these is undecided; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
@@ -48,9 +48,9 @@ words are counted if --words is given; 1 one of these is undecided; 2 usage, bad
 pub struct TrapArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
-    /// Bisect the boxes of the coarsest forward-invariant grid N times, for narrower bounds
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=6))]
-    finer: u32,
+    /// Multiply the work by X, for narrower bounds: 2, 4, .., 64 bisect the boxes of the coarsest forward-invariant grid once, twice, .., 6 times
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
     /// Count the words of N walls that the motions in the region can make, and bound their entropy from above
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_COUNTED))]
     words: Option<u32>,
@@ -89,7 +89,7 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let progress = Progress::stages(!files.quiet);
-    let found = Trap::of(&scene, arguments.finer, &progress).with_context(named)?;
+    let found = Trap::of(&scene, arguments.effort, &progress).with_context(named)?;
     progress.clear();
     let is_table = format == TrapFormat::Table;
     let region = match found {

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use impact_pair::Scene;
 use impact_pair::chaos::{
     FoundWindow, MOST_WINDOW_IMPACTS, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,
 };
@@ -13,6 +12,7 @@ use impact_pair::exact::decimal_digits;
 use impact_pair::json::counted;
 use impact_pair::periodic::bifurcation::WindowEnd;
 use impact_pair::scene::Range;
+use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
@@ -54,6 +54,9 @@ pub struct WindowsArguments {
     /// Number of impacts of floating-point orbits that are searched
     #[arg(long, value_name = "N", default_value_t = 40_000_000, value_parser = count(1..=1_000_000_000_000))]
     impacts: u64,
+    /// Multiply the work by X: --impacts many times X are searched
+    #[arg(long, value_name = "X", default_value_t)]
+    effort: Effort,
     /// Maximum number of impacts of an orbit in the reduced map
     #[arg(long, value_name = "N", default_value_t = 44, value_parser = count(1..=MOST_WINDOW_IMPACTS as u64))]
     longest: u64,
@@ -80,7 +83,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     let named = || scene::name(path);
     let settings = WindowSettings {
         over: arguments.over.clone(),
-        impacts: arguments.impacts,
+        impacts: arguments.effort.times(arguments.impacts),
         longest: arguments.longest as usize,
         most: usize::try_from(arguments.most)?,
         precision: arguments.precision.of(&scene),
@@ -157,7 +160,7 @@ fn conclusion(found: &Windows) -> String {
         return format!("certified: {windows}; {seen}; others are not excluded");
     }
     let whole = found.windows.iter().filter(|found| found.window.is_certified()).count();
-    format!(
-        "undecided: {windows}, {whole} of them proved with all orbits between the ends; {seen}; try more --impacts or a wider --over"
-    )
+    // More orbits find more windows; they prove no more of one.
+    let advice = if found.windows.is_empty() { "; try more --effort or a wider --over" } else { "" };
+    format!("undecided: {windows}, {whole} of them proved with all orbits between the ends; {seen}{advice}")
 }

@@ -21,8 +21,7 @@ snapshots! { EXACT;
 
 const SCENE: &str = "scenes/figure-12.toml";
 /// Of `A/d` from 0.6 to 3 and `e` from 0.1 to 0.6, with few boxes: cycles with rests, an attractor, closed components.
-const PLANE: [&str; 8] =
-    ["--over", "amplitude=0.6..3:4", "--over", "restitution=0.1..0.6:3", "--boxes", "10", "--most", "6000"];
+const PLANE: [&str; 6] = ["--over", "amplitude=0.6..3:4", "--over", "restitution=0.1..0.6:3", "--effort", "0.02"];
 
 /// A scene whose gap is 1.
 fn scene(folder: &Path) -> String {
@@ -54,8 +53,8 @@ fn a_4_by_3_atlas_is_that_of_its_points() {
     let [lines, page] = ["atlas.jsonl", "atlas.html"].map(|name| folder.join(name).to_str().unwrap().to_owned());
     let answer = atlas(&scene, &["--output", &lines, "--plot", &page]).output().unwrap();
     let said = String::from_utf8(answer.stderr).unwrap();
-    assert!(said.starts_with("not all decided: 12 points, 3 one-rest-cycle, 1 one-attractor, "), "{said}");
-    assert!(said.contains("; 33.33 % of the points decided (12 in ") && answer.status.code() == Some(1), "{said}");
+    assert!(said.starts_with("not all decided: 12 points, 5 one-rest-cycle, 1 one-attractor, "), "{said}");
+    assert!(said.contains("; 50.00 % of the points decided (12 in ") && answer.status.code() == Some(1), "{said}");
     let text = fs::read_to_string(&lines).unwrap();
     let all = without_seconds(&text);
     assert_eq!((all.len(), all[0]["points"].as_u64()), (13, Some(12)));
@@ -92,7 +91,7 @@ fn a_4_by_3_atlas_is_that_of_its_points() {
 fn shards_and_kept_points_make_the_whole() {
     let folder = folder("atlas-shards");
     let scene = scene(&folder);
-    let plane = ["--over", "amplitude=2.2..3:2", "--over", "restitution=0.1..0.2:2", "--boxes", "8"];
+    let plane = ["--over", "amplitude=2.2..3:2", "--over", "restitution=0.1..0.2:2", "--effort", "0.02"];
     let made = |name: &str, more: &[&str]| {
         let path = folder.join(name);
         let answer = verb("atlas", &[&[scene.as_str()], &plane[..], more].concat()).arg("--output").arg(&path).output();
@@ -126,7 +125,7 @@ fn shards_and_kept_points_make_the_whole() {
 fn cells_hold_for_all_their_parameters() {
     let folder = folder("atlas-cells");
     let scene = scene(&folder);
-    let plane = ["--over", "amplitude=2.5..3:2", "--over", "restitution=0.05..0.1:2", "--cells", "--boxes", "8"];
+    let plane = ["--over", "amplitude=2.5..3:2", "--over", "restitution=0.05..0.1:2", "--cells", "--effort", "0.2"];
     let answer = verb("atlas", &[&[scene.as_str()], &plane[..]].concat()).output().unwrap();
     let (table, said) = (String::from_utf8(answer.stdout).unwrap(), String::from_utf8(answer.stderr).unwrap());
     assert!(said.starts_with("certified: 4 cells, 4 one-rest-cycle; 100.00 % of the plane decided"), "{said}");

@@ -31,7 +31,7 @@ snapshots! { FLOATING_POINT_EXPONENT;
     horseshoe_within_a_part_in_ten_thousand:
         program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--depth", "3", "--over", "gap=9.42403..9.42591"]);
     cells_that_attract: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..1.2:2"]);
-    a_cell_that_is_undecided: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..7:1", "--halvings", "0"]);
+    a_cell_that_is_undecided: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..7:1", "--effort", "1/256"]);
     cells_without_a_number: program(&["chaos", "scenes/figure-14.toml", "--over", "amplitude=1..9:0"]);
     bases_for_cells: program(&["chaos", "scenes/figure-14.toml", BASES[0], BASES[1], "--over", "amplitude=8..9:3"]);
     bases_of_another_scene: program(&["chaos", "scenes/figure-17.toml", BASES[0], BASES[1], "--depth", "3"]);
@@ -88,7 +88,7 @@ fn cells_are_written_and_drawn() {
     let folder = folder("cells");
     let path = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let (output, plot) = (path("cells.json"), path("cells.svg"));
-    let over = ["--over", "amplitude=1..1.1:2", "--halvings", "6"];
+    let over = ["--over", "amplitude=1..1.1:2", "--effort", "0.25"];
     let files = ["--format", "json", "--output", &output, "--plot", &plot];
     let arguments = [&["chaos", "scenes/figure-14.toml"], &over[..], &files].concat();
     assert!(program(&arguments).status().unwrap().success());
@@ -130,7 +130,7 @@ fn r35_a_horseshoe_and_an_orbit_that_is_attracted_do_not_exclude_each_other() {
 /// that of the whole window.
 #[test]
 fn a_stable_orbit_is_proved_that_the_scenes_own_is_not_proved_to_converge_to() {
-    let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=6.218..6.22:1", "--halvings", "0"];
+    let over = ["chaos", "scenes/figure-14.toml", "--over", "amplitude=6.218..6.22:1", "--effort", "1/256"];
     let output = program(&over).args(["--depth", "3", "--format", "json"]).output().unwrap();
     let document: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((output.status.code(), &document["shares"]["stable"]), (Some(0), &1.0.into()));
@@ -202,7 +202,7 @@ fn r49_a_stable_orbit_is_given_with_its_shortest_period_where_a_word_is_repeated
     for (over, impacts, cycles) in
         [("amplitude=8.47734375..8.477734375:2", 8, 3), ("amplitude=8.4822265625..8.482421875:1", 16, 6)]
     {
-        let requested = ["--over", over, "--halvings", "0", "--depth", "1", "--output", path, "--quiet"];
+        let requested = ["--over", over, "--effort", "1/256", "--depth", "1", "--output", path, "--quiet"];
         program(&[&["chaos", "scenes/figure-14.toml"][..], &requested].concat()).output().unwrap();
         let document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
         for stretch in document["stretches"].as_array().unwrap() {

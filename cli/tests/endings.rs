@@ -15,11 +15,8 @@ const VERBS: [(&str, &str); 15] = [
     ("describe scenes/figure-12.toml", "txt json"),
     ("cycles scenes/figure-12.toml --impacts 1", "txt json"),
     ("windows scenes/figure-12.toml --over gap=9..10 --impacts 1", "txt json"),
-    ("global scenes/figure-12.toml --boxes 8 --most 1 --work 10", "txt json"),
-    (
-        "atlas scenes/figure-12.toml --over gap=9..10:2 --over restitution=0..0.1:2 --boxes 8 --most 1 --work 10",
-        "csv jsonl svg html",
-    ),
+    ("global scenes/figure-12.toml --effort 1e-7", "txt json"),
+    ("atlas scenes/figure-12.toml --over gap=9..10:2 --over restitution=0..0.1:2 --effort 1e-7", "csv jsonl svg html"),
     ("tangency scenes/figure-12.toml --over gap=9..10 --longest 1", "txt json"),
     ("chaos scenes/figure-14.toml --depth 1 --bases docs/bases-figure-14.json", "txt json"),
     ("audit scenes/figure-12.toml cli/tests/endings/list.csv", "txt json"),

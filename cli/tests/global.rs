@@ -8,9 +8,9 @@ use crate::common::{self, EXACT, folder, program, snapshots};
 
 snapshots! { EXACT;
     arguments_of_global: program(&["global", "--help"]);
-    global_of_figure_12: program(&["global", "scenes/figure-12.toml", "--boxes", "12", "--most", "30000"]);
+    global_of_figure_12: program(&["global", "scenes/figure-12.toml", "--effort", "0.1"]);
     global_under_two_harmonics: program(&["global", "scenes/two-tones.toml"]);
-    global_of_too_many_boxes: program(&["global", "scenes/figure-12.toml", "--boxes", "21"]);
+    global_of_no_effort: program(&["global", "scenes/figure-12.toml", "--effort", "0"]);
 }
 
 /// Two saddles and an attractor: the area of its basin, the graph in two languages, and the picture.
@@ -22,7 +22,7 @@ fn a_basin_has_its_area_and_components_are_drawn() {
     let text = "excitation = { amplitude = 0.583258, frequency = \"pi\", phase = 0 }\n\
                 pair = { gap = 1, restitution = 0.377273 }\nstart = { time = 0, wall = \"left\", velocity = -1 }\n";
     fs::write(&scene, text).unwrap();
-    let requested = ["global", &scene, "--basins", "14", "--plot", &svg, "--output", &json, "--quiet"];
+    let requested = ["global", &scene, "--effort", "1/4", "--plot", &svg, "--output", &json, "--quiet"];
     assert!(program(&requested).status().unwrap().success());
     let text = fs::read_to_string(&json).unwrap();
     let document: Value = serde_json::from_str(&text).unwrap();

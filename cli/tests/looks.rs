@@ -11,7 +11,7 @@ const VERBS: [&str; 8] = [
     "chaos scenes/figure-14.toml --depth 1 --bases docs/bases-figure-14.json --plot",
     "two-impact scenes/figure-10.toml --manifold frequency=5..60:6 --inset 10..20:0.1..2 --plot",
     "sweep scenes/cascade.toml --over gap=9..10:2 --transient 2 --impacts 1 --plot",
-    "atlas scenes/figure-12.toml --over gap=9..10:2 --over restitution=0..0.1:2 --boxes 8 --most 1 --work 10 --plot",
+    "atlas scenes/figure-12.toml --over gap=9..10:2 --over restitution=0..0.1:2 --effort 1e-7 --plot",
     "describe scenes/figure-13.toml --plot",
     "trade scenes/figure-12.toml --impacts 3 --plot",
 ];

@@ -119,7 +119,7 @@ fn written_documents_are_read_back_unchanged() {
     let manifold = ["two-impact", "scene.toml", "--manifold", "frequency=2..4:5", "--format", "json"];
     assert_is::<ManifoldDocument>(&written(&manifold));
     assert_is::<AuditDocument>(&written(&["audit", "scene.toml", "list.csv", "--format", "json"]));
-    let over = ["--over", "gap=2..3:2", "--over", "restitution=0.1..0.2:2", "--boxes", "8", "--most", "1"];
+    let over = ["--over", "gap=2..3:2", "--over", "restitution=0.1..0.2:2", "--effort", "1e-6"];
     let atlas = written(&[&["atlas", "scene.toml", "--format", "jsonl"], &over[..]].concat());
     let (head, points) = atlas.split_once('\n').unwrap();
     assert_is::<AtlasHead>(head);

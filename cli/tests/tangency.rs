@@ -17,8 +17,7 @@ snapshots! { EXACT;
     arguments_of_tangency: program(&["tangency", "--help"]);
     tangency_of_another_word: run_with(&["--word", "FFFFFFFNFFFFFNFFNFFNFFFN"]);
     tangency_of_a_word_that_is_none: run_with(&["--word", "FFX"]);
-    tangency_of_little_work: run_with(&["--work", "1"]);
-    tangency_of_no_work: run_with(&["--work", "0"]);
+    tangency_of_little_effort: run_with(&["--effort", "1e-7"]);
     tangency_over_the_frequency: program(&["tangency", "scenes/figure-14.toml", "--over", "frequency=1..4"]);
     tangency_under_two_harmonics: program(&["tangency", "scenes/two-tones.toml", "--over", "gap=1..2", "--longest", "1"]);
 }

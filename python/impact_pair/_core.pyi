@@ -4,8 +4,6 @@ from collections.abc import Callable
 from typing import final
 
 __all__ = [
-    "CELL_LIMITS",
-    "GLOBAL_LIMITS",
     "PANELS",
     "PROGRAM",
     "SCENES",
@@ -44,8 +42,6 @@ __version__: str
 PROGRAM: str
 # letter, title, quantities on the axes
 PANELS: list[tuple[str, str, tuple[str, str]]]
-GLOBAL_LIMITS: tuple[int, int, int]
-CELL_LIMITS: tuple[int, int, int]
 SCENES: list[str]
 
 _Progress = Callable[[int], object] | None
@@ -88,9 +84,7 @@ class Sweep:
 
 @final
 class Atlas:
-    def __new__(
-        cls, scene: Scene, over: list[str], cells: bool, requested: tuple[int, int, int, int, int | None], digits: int
-    ) -> Atlas: ...
+    def __new__(cls, scene: Scene, over: list[str], cells: bool, requested: tuple[str, int | None, int]) -> Atlas: ...
     @property
     def points(self) -> int: ...
     def check(self) -> None: ...
@@ -126,24 +120,24 @@ def manifold(
     requested: tuple[str, int | None, bool],
     progress: _Progress,
 ) -> tuple[str, bool, bool, str | None]: ...
-def trap(scene: Scene, question: tuple[int, int | None, bool], progress: _Progress) -> tuple[str | None, bool, bool, str | None]: ...
-def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[int, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
+def trap(scene: Scene, question: tuple[str, int | None, bool], progress: _Progress) -> tuple[str | None, bool, bool, str | None]: ...
+def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[str, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
 def tangency(
-    scene: Scene, over: str, question: tuple[str | None, int, int, int], requested: tuple[int | None, int], progress: _Progress
+    scene: Scene, over: str, question: tuple[str | None, int, int, str], requested: tuple[int | None, int], progress: _Progress
 ) -> tuple[str, bool, bool]: ...
 def windows(
-    scene: Scene, over: str, question: tuple[int, int, int], requested: tuple[int | None, int], progress: _Progress
+    scene: Scene, over: str, question: tuple[int, str, int, int], requested: tuple[int | None, int], progress: _Progress
 ) -> tuple[str, bool, bool]: ...
 def global_analysis(
-    scene: Scene, question: tuple[int, int, int, int, int | None, int | None], digits: int | None, progress: _Progress
+    scene: Scene, question: tuple[str, bool, int | None], digits: int | None, progress: _Progress
 ) -> tuple[str, bool, bool]: ...
 def describe(scene: Scene, name: str, question: tuple[int, int, int, bool], progress: _Progress) -> tuple[str, bool, bool, str | None]: ...
 def description_lines(document: str) -> list[tuple[str, str]]: ...
 def chaos(
-    scene: Scene, question: tuple[int | None, str | None, str | None, bool, bool], picture: bool, progress: _Progress
+    scene: Scene, question: tuple[int | None, str, str | None, str | None, bool, bool], picture: bool, progress: _Progress
 ) -> tuple[str, bool, bool, str | None]: ...
 def chaos_cells(
-    scene: Scene, over: tuple[str, int], question: tuple[int, int], picture: bool, progress: _Progress
+    scene: Scene, over: tuple[str, int], question: tuple[str, int], picture: bool, progress: _Progress
 ) -> tuple[str, bool, bool, str | None]: ...
 def trade(scene: Scene, question: tuple[int | None, int, bool], progress: _Progress) -> tuple[str, bool, bool, str | None]: ...
 def audit(
@@ -155,7 +149,7 @@ def audit(
 ) -> tuple[str, bool, bool]: ...
 def check(
     text: str,
-    effort: int,
+    effort: str,
     progress: _Progress,
 ) -> tuple[str, str, str | None, list[str], list[str], list[tuple[str, str, str | None]]]: ...
 def prove(text: str, impacts: int | None, progress: _Progress) -> tuple[str, int, str | None, bool, str | None]: ...

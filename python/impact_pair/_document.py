@@ -12,6 +12,7 @@ from ._file import ending, write
 if TYPE_CHECKING:
     import os
 
+    from ._exact import Number
     from .verdicts import Check
 
 
@@ -70,7 +71,7 @@ class Document:
         said = self.svg if ending(path, accepted) == ".svg" else self.json().rstrip("\n") + "\n"
         write(path, [(said or "").encode()])
 
-    def check(self, effort: int = 1) -> Check:
+    def check(self, effort: Number = 1) -> Check:
         """Prove every claim again, by another route; see :func:`impact_pair.check`."""
         from .verdicts import check
 

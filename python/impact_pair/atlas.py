@@ -32,17 +32,13 @@ class Question(_grid.Question):
     """The specification of an atlas: everything that its points or cells depend on, as sent to workers."""
 
     cells: bool
-    boxes: int
-    halvings: int
-    most: int
-    work: int
+    effort: str
     horseshoes: int | None
     digits: int
 
     def core(self) -> _core.Atlas:
         """Return the atlas for the computation."""
-        limits = (self.boxes, self.halvings, self.most, self.work, self.horseshoes)
-        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, limits, self.digits)
+        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, (self.effort, self.horseshoes, self.digits))
 
 
 def atlas(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core, answers
-from ._exact import IMPACTS, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._exact import IMPACTS, Number, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
 from ._file import read
 from ._grid import spaced
 from ._progress import Progress, kept, reporting
@@ -359,10 +359,7 @@ class Scene:
         over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | npt.NDArray[np.float64]],
         *,
         cells: bool = False,
-        boxes: int | None = None,
-        halvings: int = 18,
-        most: int | None = None,
-        work: int | None = None,
+        effort: Number = 1,
         horseshoes: int | None = None,
         digits: int = 9,
         executor: Executor | None = None,
@@ -374,16 +371,10 @@ class Scene:
     ) -> AtlasResult:
         """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
 
-        Each point or cell is covered by ``2**boxes`` boxes at first (14, or 12 for ``cells``), and about ``most`` are mapped in all
-        (300,000, or 20,000), with about ``work`` units of work: views of flights, columns of long ones, boxes that are noted (100,000,000,
-        or 5,000,000). With ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words
-        of at most that many impacts.
+        ``effort`` multiplies the work for each point or cell: about 300,000 boxes in all for a point, 20,000 for a cell. With ``horseshoes``
+        undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at most that many impacts.
         """
-        usual = _core.CELL_LIMITS if cells else _core.GLOBAL_LIMITS
-        requested: dict[str, Any] = {"cells": cells, "halvings": whole("halvings", halvings), "digits": whole("digits", digits)}
-        requested |= {"boxes": whole("boxes", usual[0] if boxes is None else boxes)}
-        requested |= {"most": whole("most", usual[1] if most is None else most)}
-        requested |= {"work": whole("work", usual[2] if work is None else work)}
+        requested: dict[str, Any] = {"cells": cells, "effort": text("effort", effort), "digits": whole("digits", digits)}
         requested |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
         return kept(atlas(self._text, over, requested, **how), keep_partial)  # type: ignore[arg-type]
@@ -461,13 +452,21 @@ class Scene:
             return kept(answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), report)), keep_partial)
 
     def trap(
-        self, *, finer: int = 0, words: int | None = None, picture: bool = False, progress: Progress = None, keep_partial: bool = False
+        self,
+        *,
+        effort: Number = 1,
+        words: int | None = None,
+        picture: bool = False,
+        progress: Progress = None,
+        keep_partial: bool = False,
     ) -> answers.Trap:
-        """Prove a trapping region, its boxes bisected ``finer`` times, and bound the number of words of ``words`` walls in it."""
+        """Prove a trapping region, and bound the number of words of ``words`` walls in it.
+
+        ``effort`` multiplies the work, for narrower bounds: 2, 4, .., 64 bisect the boxes once, twice, .., 6 times.
+        """
+        question = (text("effort", effort), optional_whole("words", words), picture)
         with reporting(progress, "boxes") as report:
-            document, complete, interrupted, said = _core.trap(
-                self._core, (whole("finer", finer), optional_whole("words", words), picture), report
-            )
+            document, complete, interrupted, said = _core.trap(self._core, question, report)
         if document is None:
             return kept(answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted), keep_partial)
         return kept(answers.Trap(document, complete, interrupted, said), keep_partial)
@@ -476,24 +475,23 @@ class Scene:
         self,
         impacts: int | tuple[int, int],
         *,
-        finer: int = 0,
+        effort: Number = 1,
         digits: int | None = None,
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> answers.Cycles:
-        """Prove all periodic orbits in the region of ``trap`` with a number of impacts, or a range of numbers."""
+        """Prove all periodic orbits in the region of ``trap`` with this ``effort``, of a number of impacts or a range of numbers."""
         ends = both_ends("impacts", impacts)
+        question = (text("effort", effort), optional_whole("digits", digits))
         with reporting(progress, "impacts", ends[1]) as report:
-            return kept(
-                answers.Cycles(*_core.cycles(self._core, ends, (whole("finer", finer), optional_whole("digits", digits)), report)),
-                keep_partial,
-            )
+            return kept(answers.Cycles(*_core.cycles(self._core, ends, question, report)), keep_partial)
 
     def windows(
         self,
         over: Mapping[str, tuple[Value, Value]],
         *,
         impacts: int = 40_000_000,
+        effort: Number = 1,
         longest: int = 44,
         most: int = 10,
         digits: int | None = None,
@@ -503,35 +501,30 @@ class Scene:
     ) -> answers.Windows:
         """Search stable periodic orbits over ``{"gap": (low, high)}`` and prove each with the window in which it is stable.
 
-        ``impacts`` of floating-point orbits are searched for orbits of at most ``longest`` impacts of the reduced map; the ``most``
-        windows that are nearest to the scene's own value are proved.
+        ``impacts`` of floating-point orbits, times ``effort``, are searched for orbits of at most ``longest`` impacts of the reduced map; the
+        ``most`` windows that are nearest to the scene's own value are proved.
         """
-        question = (whole("impacts", impacts), whole("longest", longest), whole("most", most))
+        question = (whole("impacts", impacts), text("effort", effort), whole("longest", longest), whole("most", most))
         requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
-        with reporting(progress, "impacts", impacts) as report:
+        with reporting(progress, "impacts", impacts if effort == 1 else None) as report:
             return kept(answers.Windows(*_core.windows(self._core, ranged(over), question, requested, report)), keep_partial)
 
     def global_analysis(
         self,
         *,
-        boxes: int = _core.GLOBAL_LIMITS[0],
-        halvings: int = 40,
-        most: int = _core.GLOBAL_LIMITS[1],
-        work: int = _core.GLOBAL_LIMITS[2],
-        basins: int | None = None,
+        effort: Number = 1,
+        basins: bool = False,
         horseshoes: int | None = None,
         digits: int | None = None,
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> answers.GlobalAnalysis:
-        """Prove where every motion goes, whatever its start, with ``2**boxes`` boxes of which about ``most`` are mapped in all.
+        """Prove where every motion goes, whatever its start.
 
-        ``work`` bounds the work of their images: views of flights, columns of long ones, boxes that are noted. With ``basins`` the
-        basins of attraction are proved by about ``2**basins`` boxes, with as much work again. With ``horseshoes`` undecided components,
-        the four largest ones, are searched for horseshoes of words of at most that many impacts.
+        ``effort`` multiplies the work: about 300,000 boxes in all, and 65,536 for ``basins``, which are those of attraction. With
+        ``horseshoes`` undecided components, the four largest ones, are searched for horseshoes of words of at most that many impacts.
         """
-        limits = (whole("boxes", boxes), whole("halvings", halvings), whole("most", most), whole("work", work))
-        question = (*limits, optional_whole("basins", basins), optional_whole("horseshoes", horseshoes))
+        question = (text("effort", effort), basins, optional_whole("horseshoes", horseshoes))
         with reporting(progress, "boxes") as report:
             return kept(
                 answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), report)), keep_partial
@@ -544,7 +537,7 @@ class Scene:
         word: str | None = None,
         longest: int = 18,
         most: int = 10,
-        work: int = 30_000_000,
+        effort: Number = 1,
         digits: int | None = None,
         max_bits: int = MAX_BITS,
         progress: Progress = None,
@@ -554,10 +547,11 @@ class Scene:
 
         They are searched along the flights of ``word`` (``F`` to the far wall, ``N`` back to the near one, from the unstable manifold
         to the stable one), or along all words of at most ``longest`` flights; the ``most`` that are nearest to the scene's own value are
-        proved. ``work`` bounds the search without ``word``: about as many flights in floating point for each saddle, and as much again to
-        follow folds, 10,000 flights each.
+        proved. ``effort`` multiplies the work without ``word``: about 30 million flights in floating point for each saddle, and as much
+        again to follow folds, 10,000 flights each.
         """
-        question = (None if word is None else string("word", word), whole("longest", longest), whole("most", most), whole("work", work))
+        along = None if word is None else string("word", word)
+        question = (along, whole("longest", longest), whole("most", most), text("effort", effort))
         requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
         with reporting(progress, "impacts", None) as report:
             return kept(answers.Tangencies(*_core.tangency(self._core, ranged(over), question, requested, report)), keep_partial)
@@ -566,6 +560,7 @@ class Scene:
         self,
         *,
         depth: int | None = None,
+        effort: Number = 1,
         over: Mapping[str, tuple[Value, Value]] | None = None,
         bases: list[dict[str, Any]] | None = None,
         hyperbolic: bool = False,
@@ -576,12 +571,13 @@ class Scene:
     ) -> answers.Chaos:
         """Prove a horseshoe and a lower bound of the topological entropy, for all values of ``over``, if given.
 
-        Words have ``depth`` impacts at most, or as many as about a million boxes lead to.
+        Words have ``depth`` impacts at most, or as many as about a million boxes times ``effort`` lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
         document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it.
         """
         begun = None if bases is None else json.dumps(bases)
-        question = (optional_whole("depth", depth), None if over is None else ranged(over), begun, hyperbolic, no_orbit)
+        ranges = None if over is None else ranged(over)
+        question = (optional_whole("depth", depth), text("effort", effort), ranges, begun, hyperbolic, no_orbit)
         with reporting(progress, "boxes") as report:
             return kept(answers.Chaos(*_core.chaos(self._core, question, picture, report)), keep_partial)
 
@@ -590,18 +586,19 @@ class Scene:
         over: Mapping[str, tuple[Value, Value, int]],
         *,
         depth: int = 12,
-        halvings: int = 8,
+        effort: Number = 1,
         picture: bool = False,
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> answers.ChaosCells:
         """Prove, cell by cell over ``{"amplitude": (low, high, count)}``, that there is a horseshoe or an attractor.
 
-        The cells are ``count`` equal parts of the range. An undecided cell is bisected, at most ``halvings`` times.
+        The cells are ``count`` equal parts of the range. An undecided cell is bisected at most 8 times, and once more where ``effort``
+        doubles.
         """
         key, (low, high, count) = grid(over, '{"amplitude": (1, 10, 40)}')
         question = (f"{key}={low}..{high}", count)
-        how = (whole("halvings", halvings), whole("depth", depth))
+        how = (text("effort", effort), whole("depth", depth))
         with reporting(progress, "cells", count) as report:
             return kept(answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, report)), keep_partial)
 

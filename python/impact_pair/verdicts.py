@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._document import Document
-from ._exact import optional_whole, whole
+from ._exact import Number, optional_whole, text
 from ._file import ending, read, write
 from ._progress import Progress, kept, reporting
 from .errors import CertificateError
@@ -93,13 +93,13 @@ def text_of(source: Source) -> str:
     return read(source, CertificateError)
 
 
-def check(source: Source, *, effort: int = 1, progress: Progress = None, keep_partial: bool = False) -> Check:
+def check(source: Source, *, effort: Number = 1, progress: Progress = None, keep_partial: bool = False) -> Check:
     """Prove every claim of a document again, by an independent method, from its own numbers.
 
     ``effort`` multiplies the work allowed for each claim before it is left undecided.
     """
     with reporting(progress, "claims") as report:
-        verdict, message, theorem, unjudged, unchecked_claims, claims = _core.check(text_of(source), whole("effort", effort), report)
+        verdict, message, theorem, unjudged, unchecked_claims, claims = _core.check(text_of(source), text("effort", effort), report)
     found = Check(verdict, message, theorem, unjudged, unchecked_claims, [Claim(*claim) for claim in claims])
     return kept(found, keep_partial)
 

@@ -11,7 +11,7 @@ use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::chaos::depth;
+use crate::chaos::{depth, effort_of};
 use crate::errors::{Fault, accepted};
 use crate::grid::{computed, dictionary};
 use crate::lines::{Lines, records};
@@ -44,29 +44,21 @@ impl Atlas {
 
 #[pymethods]
 impl Atlas {
-    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the numbers of boxes, halvings, boxes in all, work and impacts of
-    /// words of horseshoes, and digits.
+    /// An atlas over two axes, `KEY=LO..HI:COUNT`, of points or cells, with the effort for each, the impacts of words of horseshoes, and digits.
     #[new]
     fn new(
         scene: &Bound<'_, Scene>,
         over: Vec<String>,
         cells: bool,
-        requested: (u32, u32, u64, u64, Option<u32>),
-        digits: u32,
+        requested: (&str, Option<u32>, u32),
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
         let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
         let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
-        let (boxes, halvings, most, work, horseshoes) = requested;
-        let mut settings = GlobalSettings {
-            boxes: 1 << accepted("boxes", boxes, GlobalSettings::BOXES)?,
-            halvings: accepted("halvings", halvings, GlobalSettings::HALVINGS)?,
-            most: accepted("most", most, 1..=1_000_000_000)? as usize,
-            work: accepted("work", work, 1..=1_000_000_000_000)?,
-            horseshoes: depth(horseshoes)?,
-            ..GlobalSettings::default()
-        };
+        let (effort, horseshoes, digits) = requested;
+        let usual = if cells { GlobalSettings::of_cell() } else { GlobalSettings::of_point() };
+        let mut settings = GlobalSettings { horseshoes: depth(horseshoes)?, ..usual }.with_effort(effort_of(effort)?);
         settings.precision.digits = accepted("digits", digits, DIGITS)?;
         let head = atlas::head(&scene, &plane, &settings, None);
         Ok(Self { scene, plane, settings, head })

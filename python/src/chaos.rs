@@ -1,11 +1,9 @@
 //! Regions, all periodic motions in them, stable ones near a scene, homoclinic tangencies, where all motions go, and chaos: the
 //! verbs `trap`, `cycles`, `windows`, `tangency`, `global` and `chaos`.
 
-use impact_pair::Error;
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS,
-    MOST_COUNTED, MOST_DEPTH, MOST_HALVINGS, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords,
-    WindowSettings, Windows,
+    MOST_COUNTED, MOST_DEPTH, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings, Windows,
 };
 use impact_pair::exact::Exact;
 use impact_pair::json::{GivenBase, WallWordsDocument, one_a_line};
@@ -15,6 +13,7 @@ use impact_pair::periodic::bifurcation;
 use impact_pair::scene::Range;
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Watch};
+use impact_pair::{Effort, Error};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
@@ -29,14 +28,15 @@ use crate::watched::watched;
 pub fn trap(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, Option<u32>, bool),
+    question: (&str, Option<u32>, bool),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Option<String>, bool, bool, Option<String>)> {
-    let (finer, impacts, picture) = question;
+    let (effort, impacts, picture) = question;
+    let effort = effort_of(effort)?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let impacts = impacts.map(|impacts| accepted("words", impacts, 1..=MOST_COUNTED)).transpose()?;
-        match Trap::of(&scene, accepted("finer", finer, 0..=6)?, monitor)? {
+        match Trap::of(&scene, effort, monitor)? {
             Err(why) => Ok((None, false, monitor.is_stopped(), Some(why.words().to_owned()))),
             Ok(region) => {
                 let mut document = region.document(&scene)?;
@@ -61,10 +61,11 @@ pub fn cycles(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     impacts: (u32, u32),
-    question: (u32, Option<u32>),
+    question: (&str, Option<u32>),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (finer, requested) = question;
+    let (effort, requested) = question;
+    let effort = effort_of(effort)?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let least = accepted("impacts", impacts.0, 1..=MOST_IMPACTS)?;
@@ -74,7 +75,7 @@ pub fn cycles(
             Stage::Region(_) => monitor.proceed(Stage::Working),
             at => monitor.proceed(at),
         };
-        let found = Cycles::of(&scene, accepted("finer", finer, 0..=6)?, &impacts, precision, &watch)?;
+        let found = Cycles::of(&scene, effort, &impacts, precision, &watch)?;
         let found = found.as_ref().map_err(|why| *why);
         let document = Cycles::document(&scene, &impacts, found)?;
         Ok((text(&document), found.is_ok_and(Cycles::is_certified), monitor.is_stopped()))
@@ -87,17 +88,18 @@ pub fn windows(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     over: &str,
-    question: (u64, u32, u32),
+    question: (u64, &str, u32, u32),
     requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (impacts, longest, most) = question;
+    let (impacts, effort, longest, most) = question;
+    let effort = effort_of(effort)?;
     let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = WindowSettings {
             over: range,
-            impacts: accepted("impacts", impacts, 1..=1_000_000_000_000)?,
+            impacts: effort.times(accepted("impacts", impacts, 1..=1_000_000_000_000)?),
             longest: accepted("longest", longest, 1..=MOST_WINDOW_IMPACTS as u32)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
             precision: precision(requested, &scene)?,
@@ -113,9 +115,9 @@ fn range_fault(error: Error, over: &Range) -> Fault {
     Fault::keyed(error, "over", &over.to_string())
 }
 
-/// The limits by default: boxes of the first partition as a power of two, boxes that are mapped, and the work.
-pub fn limits(usual: &GlobalSettings) -> (u32, usize, u64) {
-    (usual.boxes.ilog2(), usual.most, usual.work)
+/// The multiple of the usual work that is given as text.
+pub fn effort_of(text: &str) -> Result<Effort, Fault> {
+    text.parse().map_err(|error| Fault::keyed(error, "effort", text))
 }
 
 /// The most impacts of words of horseshoes, if these are looked for in components.
@@ -128,24 +130,21 @@ pub fn depth(horseshoes: Option<u32>) -> Result<Option<usize>, Fault> {
 pub fn global_analysis(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (u32, u32, u64, u64, Option<u32>, Option<u32>),
+    question: (&str, bool, Option<u32>),
     digits: Option<u32>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (boxes, halvings, most, work, basins, horseshoes) = question;
+    let (effort, has_basins, horseshoes) = question;
+    let effort = effort_of(effort)?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let settings = GlobalSettings {
-            boxes: 1 << accepted("boxes", boxes, GlobalSettings::BOXES)?,
-            halvings: accepted("halvings", halvings, GlobalSettings::HALVINGS)?,
-            most: accepted("most", most, 1..=1_000_000_000)? as usize,
-            work: accepted("work", work, 1..=1_000_000_000_000)?,
-            basins: basins
-                .map(|halvings| Ok::<_, Fault>(1 << accepted("basins", halvings, GlobalSettings::BASINS)?))
-                .transpose()?,
+        let usual = GlobalSettings {
+            basins: has_basins.then_some(GlobalSettings::USUAL_BASINS),
             horseshoes: depth(horseshoes)?,
             precision: precision((digits, MAX_BITS), &scene)?,
+            ..GlobalSettings::default()
         };
+        let settings = usual.with_effort(effort);
         let found = Global::of(scene.pair(), &settings, monitor)?;
         let document = found.document(&scene, &settings)?;
         Ok((text(&document), document.certified, monitor.is_stopped()))
@@ -158,11 +157,12 @@ pub fn tangency(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     over: &str,
-    question: (Option<&str>, u32, u32, u64),
+    question: (Option<&str>, u32, u32, &str),
     requested: (Option<u32>, u32),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answer> {
-    let (word, longest, most, work) = question;
+    let (word, longest, most, effort) = question;
+    let effort = effort_of(effort)?;
     let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
     let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
     let word = word.transpose()?;
@@ -173,7 +173,7 @@ pub fn tangency(
             word,
             longest: accepted("longest", longest, 1..=40)? as usize,
             most: accepted("most", most, 1..=100_000)? as usize,
-            work: accepted("work", work, 1..=1_000_000_000_000)? as usize,
+            effort,
             precision: precision(requested, &scene)?,
         };
         let found = Tangencies::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
@@ -186,18 +186,19 @@ pub fn tangency(
 pub fn chaos(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    question: (Option<u32>, Option<String>, Option<String>, bool, bool),
+    question: (Option<u32>, &str, Option<String>, Option<String>, bool, bool),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let (depth, over, bases, hyperbolic, no_orbit) = question;
+    let (depth, effort, over, bases, hyperbolic, no_orbit) = question;
+    let effort = effort_of(effort)?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let bases: Option<Vec<GivenBase>> =
             bases.map(|text| serde_json::from_str(&text)).transpose().map_err(Fault::certificate)?;
         let bases = bases.map(|bases| bases.iter().map(HSet::from).collect()).unwrap_or_default();
         let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;
-        let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases };
+        let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases, effort };
         let range = |text: String| bifurcation::over(&text).map_err(|error| Fault::keyed(error, "over", &text));
         let over = over.map(range).transpose()?;
         let pair = match &over {
@@ -228,15 +229,15 @@ pub fn chaos_cells(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     over: (&str, u32),
-    question: (u32, u32),
+    question: (&str, u32),
     picture: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Drawn> {
-    let ((over, cells), (halvings, depth)) = (over, question);
+    let ((over, cells), (effort, depth)) = (over, question);
     let requested = RangeSettings {
         over: bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
-        halvings: accepted("halvings", halvings, 0..=MOST_HALVINGS)?,
+        halvings: RangeSettings::halvings(effort_of(effort)?),
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,
     };
     let scene = scene.get().scene.clone();

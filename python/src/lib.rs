@@ -49,11 +49,8 @@ mod _core {
     #[pymodule_init]
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {
         use super::PyModuleMethods;
-        use impact_pair::chaos::GlobalSettings;
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("SCENES", super::scene::names())?;
-        module.add("GLOBAL_LIMITS", super::chaos::limits(&GlobalSettings::default()))?;
-        module.add("CELL_LIMITS", super::chaos::limits(&GlobalSettings::of_cell()))?;
         module.add("PANELS", super::pictures::captions())?;
         module.add("PROGRAM", impact_pair::json::PROGRAM)
     }

@@ -14,10 +14,11 @@ use impact_pair::trade::Trade;
 use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
 use impact_pair::units::Units;
 use impact_pair::watch::Watch;
-use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Claims, Verdict};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
+use crate::chaos::effort_of;
 use crate::errors::{Fault, accepted};
 use crate::numbers::point;
 use crate::pictures::drawn;
@@ -235,12 +236,9 @@ type Checked = (&'static str, String, Option<String>, Vec<String>, Vec<String>, 
 
 /// Every claim of a document, proved again.
 #[pyfunction]
-pub fn check(py: Python<'_>, text: String, effort: u64, progress: Option<Py<PyAny>>) -> PyResult<Checked> {
+pub fn check(py: Python<'_>, text: String, effort: &str, progress: Option<Py<PyAny>>) -> PyResult<Checked> {
+    let effort = effort_of(effort)?.into();
     watched(py, progress, move |monitor| {
-        let times = u32::try_from(accepted("effort", effort, 1..=u64::MAX)?).unwrap_or(u32::MAX);
-        let Effort { parts, work, .. } = Effort::default();
-        let parts = parts.saturating_mul(times);
-        let effort = Effort { parts, work: work.saturating_mul(effort), ..Effort::default() };
         let claims = Claims::parse(&text)?;
         let judged = claims.judge(&effort, monitor)?;
         let (kind, said) = match &judged.verdict {

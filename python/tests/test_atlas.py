@@ -15,8 +15,8 @@ import impact_pair
 from impact_pair import Scene
 
 PLANE = {"amplitude": ("5", "9", 3), "restitution": ("0.05", "0.2", 2)}
-FEW = {"boxes": 8, "most": 2000}
-ASKED = ("--over", "amplitude=5..9:3", "--over", "restitution=0.05..0.2:2", "--boxes", 8, "--most", 2000)
+FEW = {"effort": Fraction(1, 150)}
+ASKED = ("--over", "amplitude=5..9:3", "--over", "restitution=0.05..0.2:2", "--effort", "1/150")
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def test_an_atlas_is_that_of_the_command_line(lines, tmp_path):
 
 def test_r45_cells_have_their_ends_rounded_inward():
     # The class of a cell is proved between its ends: doubles beyond them are in another cell, or in none.
-    found = Scene.named("figure-14").atlas({"gap": ("1/3", "2/3", 2), "restitution": (0.05, 0.1, 2)}, cells=True, boxes=8)
+    found = Scene.named("figure-14").atlas({"gap": ("1/3", "2/3", 2), "restitution": (0.05, 0.1, 2)}, cells=True, effort=0.1)
     table = found.to_pandas()
     assert len(table) >= 4
     low, high = table["gap_low"].min(), table["gap_high"].max()
@@ -142,7 +142,7 @@ def test_the_page_is_read_by_keyboard_pointer_and_touch_in_chromium(tmp_path):
     assert tips == [named[0], named[3], named[3], "", named[4], named[1]]
     assert [bool(panel) for panel in panels] == [False, False, True, False, False, True]
     assert panels[2].startswith("amplitude = 7, restitution = 0.2")
-    assert "impact-pair global - --boxes 8 " in panels[2]
+    assert "impact-pair global - --effort 0.006666666666666667 " in panels[2]
     assert 'pair = { gap = "9.42497", restitution = "0.2" }' in panels[2]
     # It asks for nothing from elsewhere.
     assert not re.search(r'(?:src|href|srcset)="(?!data:)', found.html())

@@ -45,7 +45,7 @@ Scene.named("cascade").bifurcations("RL", 1, {"amplitude": ("0.3", "4")}, doubli
     "periodic": 'Scene.named("figure-17").periodic("RLRRLLRRRLLL" * 3, 18, all=True, progress=note, keep_partial=True)',
     "cycles": "scene.cycles((1, 20), progress=note, keep_partial=True)",
     "windows": 'scene.windows({"gap": ("9.42", "9.43")}, impacts=10**9, progress=note, keep_partial=True)',
-    "global_analysis": "scene.global_analysis(boxes=20, most=10**9, progress=note, keep_partial=True)",
+    "global_analysis": "scene.global_analysis(effort=64, progress=note, keep_partial=True)",
     "tangency": 'scene.tangency({"gap": ("9.42", "9.43")}, longest=30, progress=note, keep_partial=True)',
     "chaos": "scene.chaos(depth=20, progress=note, keep_partial=True)",
     "chaos_cells": 'scene.chaos_cells({"gap": (9, 10, 400)}, progress=note, keep_partial=True)',

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -148,8 +149,8 @@ def test_a_motion_in_a_region_is_described():
 
 
 def test_chaos_cells(cli):
-    from_cli = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=3.4..4:3", "--halvings", 3)
-    found = Scene.named("figure-14").chaos_cells({"amplitude": ("3.4", "4", 3)}, depth=4, halvings=3, picture=True)
+    from_cli = cli.json("chaos", "scenes/figure-14.toml", "--depth", 4, "--over", "amplitude=3.4..4:3", "--effort", "1/32")
+    found = Scene.named("figure-14").chaos_cells({"amplitude": ("3.4", "4", 3)}, depth=4, effort="1/32", picture=True)
     assert found.document == from_cli
     assert found.shares == from_cli["shares"]
     assert {stretch["verdict"] for stretch in found.stretches} == {"stable", "undecided"}
@@ -160,8 +161,8 @@ def test_chaos_cells(cli):
 
 
 def test_global_analysis(cli):
-    found = Scene.named("figure-12-exact").global_analysis(boxes=10, most=20000, basins=12)
-    requested = ("--boxes", 10, "--most", 20000, "--basins", 12)
+    found = Scene.named("figure-12-exact").global_analysis(effort=0.0625, basins=True)
+    requested = ("--effort", "0.0625", "--basins")
     assert found.document == cli.json("global", "scenes/figure-12-exact.toml", *requested)
     attractors = [i for i, component in enumerate(found.components) if component.kind in {"attracting", "rest-cycle"}]
     assert [basin.component for basin in found.basins] == attractors
@@ -175,8 +176,8 @@ def test_global_analysis(cli):
 
 
 def test_windows(cli):
-    requested = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--most", 1)
-    found = Scene.named("figure-14").windows({"gap": ("9.4247", "9.4253")}, impacts=1000, most=1)
+    requested = ("--over", "gap=9.4247..9.4253", "--impacts", 1000, "--effort", 2, "--most", 1)
+    found = Scene.named("figure-14").windows({"gap": ("9.4247", "9.4253")}, impacts=1000, effort=2, most=1)
     assert found.document == cli.json("windows", "scenes/figure-14.toml", *requested)
     assert len(found) == len(found.document["windows"])
     assert "others are not excluded" in repr(found)
@@ -193,8 +194,8 @@ def test_tangency(cli):
     assert own.states is None
     assert beside is not None
     assert len(beside.states) == len(word) - 1
-    few = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, work=1)
-    assert few.document == cli.json("tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252", "--work", 1)
+    few = Scene.named("figure-14").tangency({"gap": ("9.4249", "9.4252")}, effort=Decimal("1e-7"))
+    assert few.document == cli.json("tangency", "scenes/figure-14.toml", "--over", "gap=9.4249..9.4252", "--effort", "1e-7")
     assert few.document["limited"]
     assert not few.complete
     assert float(beside.two.upper) < float(own.parameter.lower) < float(beside.none.lower)

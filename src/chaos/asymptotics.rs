@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 
 use super::region::Trap;
 use super::words::HSet;
-use crate::Error;
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Start};
 use crate::pair::ImpactPair;
 use crate::periodic::Attractor;
 use crate::watch::Watch;
+use crate::{Effort, Error};
 
 /// Proved limit of the orbit from the scene's start; fields are `None` where nothing is proved.
 ///
@@ -47,7 +47,7 @@ impl Asymptotics {
         }
         let region = match bases {
             [] => None,
-            _ => Trap::of_pair(pair, start, 0, watch)?.ok(),
+            _ => Trap::of_pair(pair, start, Effort::default(), watch)?.ok(),
         };
         let entered = |region: Trap| {
             let holds_bases = bases.iter().all(|base| region.holds(base));

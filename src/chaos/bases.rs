@@ -11,7 +11,7 @@ use super::law::Law;
 use super::propose::Making;
 use super::quad::State;
 use super::seen::{AttractorOrbit, step};
-use super::trials::{DEPTH, Effort, SLOW, Trials};
+use super::trials::{DEPTH, Rounds, SLOW, Trials};
 use super::tube::side_of;
 use super::vector::{GENERIC, apart, cross};
 use super::words::HSet;
@@ -146,12 +146,12 @@ impl AttractorOrbit {
         &self,
         law: &Law,
         ([making, fine], depth): ([Making; 2], usize),
-        effort: Effort,
+        rounds: Rounds,
         watch: &dyn Watch,
     ) -> Vec<HSet> {
         let guess = Guess::new(law);
-        let trials = Trials { law, making, depth, effort, watch };
-        if effort.bundled {
+        let trials = Trials { law, making, depth, rounds, watch };
+        if rounds.bundled {
             let impacts = depth.min(COMPARED_DEPTH);
             let bundles = self.bundles(&guess, impacts, watch);
             let found = [making, fine].into_iter().find_map(|making| {
@@ -163,11 +163,11 @@ impl AttractorOrbit {
             }
         }
         let found = trials.best(&self.candidates(&guess, making));
-        if !found.is_empty() || !effort.everywhere || !watch.goes_on() {
+        if !found.is_empty() || !rounds.everywhere || !watch.goes_on() {
             return found;
         }
         let from_everywhere = |depth: usize| {
-            let trials = Trials { making: fine, depth, effort: SLOW, ..trials };
+            let trials = Trials { making: fine, depth, rounds: SLOW, ..trials };
             trials.best(&self.crossed(&guess, (fine, depth)))
         };
         let mut depths = DEPTH_FRACTIONS.map(|part| (part * depth.min(DEPTH) as f64) as usize).to_vec();

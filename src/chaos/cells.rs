@@ -22,7 +22,6 @@ use super::seen::{AttractorOrbit, seen};
 use super::stable::stable;
 use super::trials::ANY;
 use super::words::HSet;
-use crate::Error;
 use crate::exact::{Exact, ExactError};
 use crate::mapping::Word;
 use crate::orbit::Start;
@@ -30,11 +29,13 @@ use crate::pair::{ImpactPair, within};
 use crate::scene::Range;
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
+use crate::{Effort, Error};
 
 /// The most cells that a range is cut into.
 pub const MOST_CELLS: u32 = 1_000_000;
-/// The most times that a cell is halved.
-pub const MOST_HALVINGS: u32 = 24;
+/// Number of times that a cell is halved with the usual effort, and the most times.
+const USUAL_HALVINGS: u32 = 8;
+const MOST_HALVINGS: u32 = 24;
 
 /// Settings of a search for horseshoes over a range of a parameter.
 #[derive(Clone, Debug)]
@@ -47,6 +48,13 @@ pub struct RangeSettings {
     pub halvings: u32,
     /// The most impacts of a horseshoe's words.
     pub depth: usize,
+}
+
+impl RangeSettings {
+    /// Number of halvings of a cell with this effort: one more where it doubles, as there are then twice as many parts to decide at most.
+    pub fn halvings(effort: Effort) -> u32 {
+        effort.doubled(USUAL_HALVINGS, (0, MOST_HALVINGS))
+    }
 }
 
 /// Result that is proved for all values of the parameter in a stretch.

@@ -7,22 +7,30 @@ use super::law::Law;
 use super::quad::State;
 use super::scene::{ORBIT_IMPACTS, visited};
 use super::seen::{AttractorOrbit, seen};
-use super::trials::{ANY, Effort, THOROUGH};
-use super::tried::{FINE, MAKINGS, MOST_DEPTH, TRIAL, Tried, deepest, entropies};
+use super::trials::{ANY, Rounds, THOROUGH};
+use super::tried::{BOXES, FINE, MAKINGS, MOST_DEPTH, TRIAL, Tried, deepest, entropies};
 use super::words::HSet;
-use crate::Error;
-use crate::Scene;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
 use crate::watch::{Latched, Silent, Stage, Watch};
+use crate::{Effort, Error, Scene};
 
 /// Settings of a search for horseshoes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct HorseshoeSettings {
-    /// Maximum number of impacts of a word; `None`: as many as about a million boxes lead to.
+    /// Maximum number of impacts of a word; `None`: as many as about a million boxes lead to, times the effort.
     pub depth: Option<usize>,
+    /// A multiple of these boxes, without use if there is a depth.
+    pub effort: Effort,
     /// H-sets; searched for if empty.
     pub bases: Vec<HSet>,
+}
+
+impl HorseshoeSettings {
+    /// The most impacts of a word, and the number of boxes at which words become no longer.
+    fn limits(&self) -> (usize, u64) {
+        self.depth.map_or((MOST_DEPTH as usize, self.effort.times(BOXES)), |depth| (depth, u64::MAX)) // proposes: how deep
+    }
 }
 
 /// Proved covering relations of a scene's impact map, as words: each sequence of words that fits together is the itinerary of a motion.
@@ -46,7 +54,8 @@ pub struct HorseshoeSettings {
 ///     HSet::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
 ///     HSet::new([0.780161, 1.219425], [0.028649, 0.083055], [-0.0001116, 0.000974]),
 /// ];
-/// let chaos = Chaos::of(scene.pair(), scene.start(), &HorseshoeSettings { depth: Some(3), bases }, &Unwatched)?;
+/// let settings = HorseshoeSettings { depth: Some(3), bases, ..HorseshoeSettings::default() };
+/// let chaos = Chaos::of(scene.pair(), scene.start(), &settings, &Unwatched)?;
 /// // As many motions over n cycles as sequences of two letters.
 /// assert!(chaos.entropy() >= 0.28119 && chaos.entropy_a_cycle() >= 0.69314);
 /// assert_eq!(chaos.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -84,8 +93,8 @@ impl Chaos {
         let guess = Guess::new(&law);
         let orbit = visited(pair, start, ORBIT_IMPACTS)?.last().and_then(|last| seen(&guess, last.middle()));
         let searching = |_: Stage<'_>| watch.proceed(Stage::Horseshoe { depth: 0, boxes: 0 });
-        let depth = request.depth.unwrap_or(MOST_DEPTH as usize); // proposes: how deep h-sets are judged
-        let found = |seen: &AttractorOrbit, effort| bases(seen, &law, depth, effort, &searching);
+        let (depth, _) = request.limits(); // proposes: how deep h-sets are judged
+        let found = |seen: &AttractorOrbit, rounds| bases(seen, &law, depth, rounds, &searching);
         let bases = match &orbit {
             _ if !request.bases.is_empty() => request.bases.clone(),
             Some(orbit) if orbit.is_chaotic() => found(orbit, THOROUGH),
@@ -95,7 +104,7 @@ impl Chaos {
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let proved = Self::proved(&law, bases, request.depth, watch);
+        let proved = Self::proved(&law, bases, request.limits(), watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
@@ -105,8 +114,8 @@ impl Chaos {
     }
 
     /// Proves the words between these h-sets, and bounds of the entropy.
-    pub(super) fn proved(law: &Law, bases: Vec<HSet>, depth: Option<usize>, watch: &dyn Watch) -> Self {
-        let Tried { search, depth, is_stopped: is_interrupted } = deepest(law, &bases, depth, watch);
+    pub(super) fn proved(law: &Law, bases: Vec<HSet>, limits: (usize, u64), watch: &dyn Watch) -> Self {
+        let Tried { search, depth, is_stopped: is_interrupted } = deepest(law, &bases, limits, watch);
         let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
@@ -199,7 +208,7 @@ impl Horseshoe {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
-        let chaos = Chaos::proved(law, bases, Some(depth), watch);
+        let chaos = Chaos::proved(law, bases, (depth, u64::MAX), watch);
         // exact: none is proved where it is 0
         (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
     }
@@ -220,9 +229,9 @@ impl Horseshoe {
     }
 }
 
-/// H-sets for the most entropy that is found with this effort.
-pub(super) fn bases(seen: &AttractorOrbit, law: &Law, depth: usize, effort: Effort, watch: &dyn Watch) -> Vec<HSet> {
-    seen.bases(law, ([TRIAL, FINE[1]], depth), effort, watch)
+/// H-sets for the most entropy that is found in these rounds.
+pub(super) fn bases(seen: &AttractorOrbit, law: &Law, depth: usize, rounds: Rounds, watch: &dyn Watch) -> Vec<HSet> {
+    seen.bases(law, ([TRIAL, FINE[1]], depth), rounds, watch)
 }
 
 /// Fault of h-sets, in words, or `None` if they are sound. Lemma D9

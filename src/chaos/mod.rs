@@ -48,13 +48,12 @@ mod words;
 pub use asymptotics::{Asymptotics, Entered};
 pub use blocks::Word;
 pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
-pub use cells::{Cells, MOST_CELLS, MOST_HALVINGS, RangeSettings, Stretch, Verdict, seen_impacts};
+pub use cells::{Cells, MOST_CELLS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use document::{entropy, period};
 pub(crate) use flights::Flights;
 pub use global::{
-    Basin, BasinOutcome, Class, DEFAULT_BOXES, DEFAULT_WORK, Global, GlobalSettings, Kind, LimitCycle, Patch, Reason,
-    Recurrence, RestCycle,
+    Basin, BasinOutcome, Class, Global, GlobalSettings, Kind, LimitCycle, Patch, Reason, Recurrence, RestCycle,
 };
 pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};

@@ -11,12 +11,11 @@ use super::scene::{ORBIT_IMPACTS, Visited, visited};
 use super::trap::{Cell, Grid, Region};
 use super::tube::side_of;
 use super::words::HSet;
-use crate::Error;
-use crate::Scene;
 use crate::number::Ball;
 use crate::orbit::Start;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
+use crate::{Effort, Error, Scene};
 
 /// A region of the reduced state space that the impact map maps into itself, proved: boxes of a grid.
 ///
@@ -26,15 +25,15 @@ use crate::watch::Watch;
 /// **Cost**: about 2 microseconds a box.
 ///
 /// ```
-/// use impact_pair::Scene;
 /// use impact_pair::chaos::Trap;
 /// use impact_pair::watch::Unwatched;
+/// use impact_pair::{Effort, Scene};
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let trap = Trap::of(&scene, 0, &Unwatched)?.expect("a region");
+/// let trap = Trap::of(&scene, Effort::default(), &Unwatched)?.expect("a region");
 /// assert!(trap.flight()[0] > 0.05 && trap.flight()[1] < 0.7 && trap.speed()[1] < 2.0);
 /// assert!(trap.entered().is_some_and(|impact| impact <= 2));
 /// # Ok::<(), impact_pair::Error>(())
@@ -50,18 +49,23 @@ pub struct Trap {
 /// Columns and rows of the coarsest grid, and the number of times that it is doubled at most.
 const COARSEST_GRID: (i64, f64) = (256, 32.0);
 const DOUBLINGS: u32 = 7;
+/// Number of times that the coarsest grid which closes is doubled at most, for narrower bounds.
+const MOST_HALVED: u32 = 6;
 /// Impacts in floating point before the region is grown from the ball's state.
 const TRANSIENT: usize = 2000;
 
 impl Trap {
-    /// Proves a region around the attractor of the scene's orbit, in the coarsest grid that closes, `finer` times doubled.
+    /// Proves a region around the attractor of the scene's orbit, in the coarsest grid that closes.
+    ///
+    /// An effort of 2, 4, .., 64 halves its boxes once, twice, .., 6 times: of a thin attractor there are about twice as many each time. Below
+    /// 1 nothing is less, as there is no coarser grid.
     ///
     /// `watch` receives the number of boxes, and may stop it.
     ///
     /// # Errors
     /// With several harmonics, and when a value is beyond the range of double-precision flights.
-    pub fn of(scene: &Scene, finer: u32, watch: &dyn Watch) -> Result<Result<Self, NoTrap>, Error> {
-        Self::of_pair(scene.pair(), scene.start(), finer, watch)
+    pub fn of(scene: &Scene, effort: Effort, watch: &dyn Watch) -> Result<Result<Self, NoTrap>, Error> {
+        Self::of_pair(scene.pair(), scene.start(), effort, watch)
     }
 
     /// Proves a region of a pair, for all its parameters at once.
@@ -71,9 +75,10 @@ impl Trap {
     pub fn of_pair(
         pair: &ImpactPair,
         start: &Start,
-        finer: u32,
+        effort: Effort,
         watch: &dyn Watch,
     ) -> Result<Result<Self, NoTrap>, Error> {
+        let finer = effort.doubled(0, (0, MOST_HALVED));
         let law = Law::of(pair)?;
         // D5: nothing is claimed
         if law.restitution.mag() >= 1.0 {
@@ -126,7 +131,7 @@ impl Trap {
         &self.region
     }
 
-    /// Reason why no region of the requested finer grid is proved; `None` where this region is of that grid.
+    /// Reason why no region of the finer grid of the effort is proved; `None` where this region is of that grid.
     pub fn coarser(&self) -> Option<NoTrap> {
         self.coarser
     }

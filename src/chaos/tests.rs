@@ -15,7 +15,6 @@ use super::trap::{Grid, Region};
 use super::tube::{BoxChain, Part, proved_stretches};
 use super::words::{HSet, Path, Search};
 use super::{Asymptotics, Cells, Chaos, Entered, Horseshoe, HorseshoeSettings, RangeSettings, Trap, Verdict};
-use crate::Scene;
 use crate::contact::{self, Margins, Radii, first_contact};
 use crate::flight::Flight;
 use crate::number::{Ball, Number, kernel::sin_cos};
@@ -23,6 +22,7 @@ use crate::orbit::{Orbit, Outcome, Progress, Settings};
 use crate::pair::{Reduced, Wall};
 use crate::scene::Key;
 use crate::watch::{Stage, Unwatched, proceed_if};
+use crate::{Effort, Scene};
 
 const MAKING: Making = Making { longest: 0.01, margin: 1.08, pad: 2e-5, shortest: 1e-6, ahead: 4 };
 
@@ -270,7 +270,7 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
     for part in [1e-6, 1e-5, 1e-4] {
         let law = figure_14();
         let law = Law { gap: law.gap.widened(part * law.gap.mid()), ..law };
-        let chaos = Chaos::proved(&law, bases().to_vec(), Some(3), &Unwatched);
+        let chaos = Chaos::proved(&law, bases().to_vec(), (3, u64::MAX), &Unwatched);
         assert!(chaos.entropy() > 0.281_199 && chaos.words().len() == 6, "{part} {}", chaos.entropy());
     }
 }
@@ -278,10 +278,10 @@ fn the_shortest_horseshoe_holds_for_an_interval_of_gaps() {
 /// Lemma D13: the scene's orbit and the h-sets are in one region; a displaced h-set is not.
 #[test]
 fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
-    let question = HorseshoeSettings { depth: Some(3), bases: bases().to_vec() };
+    let question = HorseshoeSettings { depth: Some(3), bases: bases().to_vec(), ..HorseshoeSettings::default() };
     let chaos = Chaos::of_scene(&scene("8"), &question, &Unwatched).unwrap();
     let Asymptotics { attractor, region } = chaos.asymptotics();
-    let trap = Trap::of(&scene("8"), 0, &Unwatched).unwrap().unwrap();
+    let trap = Trap::of(&scene("8"), Effort::default(), &Unwatched).unwrap().unwrap();
     assert!(attractor.is_none());
     assert_eq!(*region, Some(Entered { boxes: trap.boxes(), at_impact: 2, holds_bases: true }));
     assert!(bases().iter().all(|base| trap.holds(base)));
@@ -294,11 +294,11 @@ fn the_horseshoe_of_figure_14_is_where_the_orbit_is() {
 #[test]
 fn r52_a_region_that_is_coarser_than_requested_says_why() {
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(2_000..)));
-    let region = |finer: u32| Trap::of(&scene("8"), finer, &watch).unwrap().unwrap();
-    let [coarsest, stopped] = [0, 4].map(region);
+    let region = |effort: &str| Trap::of(&scene("8"), effort.parse().unwrap(), &watch).unwrap().unwrap();
+    let [coarsest, stopped] = ["1.9", "16"].map(region);
     assert_eq!((coarsest.coarser(), stopped.coarser()), (None, Some(NoTrap::Interrupted)));
     assert_eq!(coarsest.grid(), stopped.grid());
-    let finer = Trap::of(&scene("8"), 1, &Unwatched).unwrap().unwrap();
+    let finer = Trap::of(&scene("8"), "2".parse().unwrap(), &Unwatched).unwrap().unwrap();
     assert!(finer.coarser().is_none() && finer.grid().0 == 2 * coarsest.grid().0);
 }
 
@@ -310,7 +310,8 @@ fn a_saddle_is_distinguished_from_an_attractor() {
         [[0.747_691_477_240_234_9, 1.126_724_932_061_096_4], [0.750_701_324_195_974_9, 1.100_911_021_852_679_9]],
     ];
     let [left, right] = corners.map(|[bottom, top]| Chord { bottom, top });
-    let question = HorseshoeSettings { depth: Some(5), bases: vec![HSet { left, right }] };
+    let question =
+        HorseshoeSettings { depth: Some(5), bases: vec![HSet { left, right }], ..HorseshoeSettings::default() };
     let chaos = Chaos::of_scene(&scene("8.4"), &question, &Unwatched).unwrap();
     let attractor = chaos.asymptotics().attractor.as_ref().unwrap();
     assert_eq!((attractor.word.mappings().len(), attractor.cycles), (8, 3));
@@ -332,7 +333,8 @@ fn slow_expansion_is_proved_by_fine_chains_of_boxes() {
         let chord = |[bottom, top]: [State; 2]| Chord { bottom, top };
         HSet { left: chord(left), right: chord(right) }
     };
-    let proved = |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], Some(depth), &Unwatched).entropy();
+    let proved =
+        |depth: usize, moved: f64| Chaos::proved(&law, vec![base(moved)], (depth, u64::MAX), &Unwatched).entropy();
     let expected = std::f64::consts::LN_2 / 16.0;
     assert!(proved(16, 0.0) <= expected && proved(16, 0.0) > expected - 1e-9);
     assert_eq!([proved(15, 0.0), proved(16, 0.01)], [0.0, 0.0]);
@@ -343,7 +345,11 @@ fn slow_expansion_is_proved_by_fine_chains_of_boxes() {
 fn r32_a_base_wider_than_a_turn() {
     let chaos = |right: f64| {
         let edge = |phase: f64| Chord { bottom: [phase, 5.0], top: [phase, 5.1] };
-        let question = HorseshoeSettings { depth: Some(1), bases: vec![HSet { left: edge(0.1), right: edge(right) }] };
+        let question = HorseshoeSettings {
+            depth: Some(1),
+            bases: vec![HSet { left: edge(0.1), right: edge(right) }],
+            ..HorseshoeSettings::default()
+        };
         Chaos::of_scene(&scene("8"), &question, &|_: Stage<'_>| ControlFlow::Break(()))
             .map(|_| ())
             .map_err(|error| error.to_string())
@@ -377,8 +383,12 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
 #[test]
 fn a_deeper_search_leads_further() {
     let chaos = |depth: usize| {
-        Chaos::of_scene(&scene("8"), &HorseshoeSettings { depth: Some(depth), bases: bases().to_vec() }, &Unwatched)
-            .unwrap()
+        Chaos::of_scene(
+            &scene("8"),
+            &HorseshoeSettings { depth: Some(depth), bases: bases().to_vec(), ..HorseshoeSettings::default() },
+            &Unwatched,
+        )
+        .unwrap()
     };
     let shallow = chaos(8);
     assert_eq!(shallow.horseshoe().unwrap().map(|word| word.in_mappings()), ["P1 P2", "P1 P2 P4"]);
@@ -407,7 +417,7 @@ fn verdicts_of_a_stretch_hold_for_its_values() {
             match verdict {
                 Verdict::Horseshoe(Horseshoe { entropy, bases }) => {
                     let law = Law::of(scene(value).pair()).unwrap();
-                    let chaos = Chaos::proved(&law, bases.clone(), Some(5), &Unwatched);
+                    let chaos = Chaos::proved(&law, bases.clone(), (5, u64::MAX), &Unwatched);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());
                 }
                 Verdict::Attracted { word, cycles, .. } => {

@@ -12,9 +12,9 @@ use super::words::{HSet, Search};
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 
-/// Effort that is spent on finding h-sets.
+/// The rounds of trials by which h-sets are found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Effort {
+pub(super) struct Rounds {
     /// Trials: the number of h-sets, and of boxes for each; those that lead to most entropy stay.
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
@@ -27,21 +27,21 @@ pub(super) struct Effort {
     pub everywhere: bool,
 }
 
-/// The efforts for the most entropy, and for any.
-pub(super) const THOROUGH: Effort = Effort {
+/// The rounds for the most entropy, and for any.
+pub(super) const THOROUGH: Rounds = Rounds {
     trials: &[(64, 2_500), (12, 10_000), (4, 40_000)],
     last: (12, 150_000),
     most: 3,
     bundled: true,
     everywhere: true,
 };
-pub(super) const ANY: Effort =
-    Effort { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
-/// The effort for h-sets that lead far.
-pub(super) const BUNDLED: Effort = Effort { bundled: true, ..ANY };
-/// The effort for h-sets from everywhere.
-pub(super) const SLOW: Effort =
-    Effort { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
+pub(super) const ANY: Rounds =
+    Rounds { trials: &[(32, 2_000), (4, 8_000)], last: (2, 20_000), most: 1, bundled: false, everywhere: false };
+/// The rounds for h-sets that lead far.
+pub(super) const BUNDLED: Rounds = Rounds { bundled: true, ..ANY };
+/// The rounds for h-sets from everywhere.
+pub(super) const SLOW: Rounds =
+    Rounds { trials: &[(64, 6_000), (12, 40_000)], last: (4, 200_000), most: 2, bundled: false, everywhere: false };
 /// Words of more impacts are not tried.
 pub(super) const DEPTH: usize = 60;
 /// Trials of bundles: their number, and the boxes for each h-set.
@@ -55,7 +55,7 @@ pub(super) struct Trials<'t> {
     pub law: &'t Law,
     pub making: Making,
     pub depth: usize,
-    pub effort: Effort,
+    pub rounds: Rounds,
     pub watch: &'t dyn Watch,
 }
 
@@ -118,11 +118,11 @@ impl Trials<'_> {
             tried.first().copied()
         };
         let mut best = None;
-        for &round in self.effort.trials {
+        for &round in self.rounds.trials {
             best = trial(round);
         }
         if found.is_empty() && best.is_some_and(|best| best.0 == 0.0) {
-            best = trial(self.effort.last);
+            best = trial(self.rounds.last);
         }
         best
     }
@@ -130,7 +130,7 @@ impl Trials<'_> {
     /// The h-sets among these that lead to the most entropy.
     pub fn best(&self, candidates: &[HSet]) -> Vec<HSet> {
         let mut best: (f64, Vec<HSet>) = (0.0, Vec::new());
-        while best.1.len() < self.effort.most && self.watch.goes_on() {
+        while best.1.len() < self.rounds.most && self.watch.goes_on() {
             let found = self.one_more(&best.1, candidates);
             let Some((entropy, base)) = found.filter(|found| found.0 > best.0 * MIN_ENTROPY_FACTOR) else { break };
             best.0 = entropy;

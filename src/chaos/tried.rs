@@ -9,8 +9,8 @@ use crate::watch::Watch;
 
 pub use impact_pair_document::MOST_DEPTH;
 
-/// Number of boxes at which a search without a given depth goes no deeper.
-const BOXES: u64 = 1_000_000;
+/// Number of boxes at which a search without a given depth goes no deeper, with the usual effort.
+pub(super) const BOXES: u64 = 1_000_000;
 
 /// Makings of cell chains, any of which is sound: from fine cells to those that leave space for intervals of parameters.
 pub(super) const MAKINGS: [Making; 4] = [
@@ -64,9 +64,13 @@ impl<'s> Tried<'s> {
     }
 }
 
-/// The search between h-sets that leads furthest, to a depth if one is given.
-pub(super) fn deepest<'s>(law: &'s Law, bases: &'s [HSet], depth: Option<usize>, watch: &dyn Watch) -> Tried<'s> {
-    let (deepest, most) = depth.map_or((MOST_DEPTH as usize, BOXES), |depth| (depth, u64::MAX)); // proposes: how deep
+/// The search between h-sets that leads furthest, to this depth, and no deeper from this number of boxes on.
+pub(super) fn deepest<'s>(
+    law: &'s Law,
+    bases: &'s [HSet],
+    (deepest, most): (usize, u64),
+    watch: &dyn Watch,
+) -> Tried<'s> {
     let deepest = if bases.is_empty() { 0 } else { deepest }; // exact: counts
     let tried = |makings: &[Making], depth: usize| -> Vec<Tried<'s>> {
         makings.iter().map(|&making| Tried::new(law, bases, making).deepened((depth, most), watch)).collect()

@@ -13,7 +13,7 @@ mod tests;
 use crate::chaos::{Chaos, HorseshoeSettings, Trap};
 use crate::orbit::MAX_BITS;
 use crate::watch::{Latched, Watch};
-use crate::{Error, Scene};
+use crate::{Effort, Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
 
@@ -127,7 +127,7 @@ fn region(scene: &Scene, orbit: &Followed, watch: &Latched<'_>) -> Region {
     if let Some((_, why)) = skipped.iter().find(|(is_so, _)| *is_so) {
         return Region::NotExamined((*why).to_owned());
     }
-    match Trap::of(scene, 0, watch) {
+    match Trap::of(scene, Effort::default(), watch) {
         Ok(Ok(trap)) => Region::Proved(trap),
         Ok(Err(why)) => Region::Unproved(why.words().to_owned()),
         // Several harmonics, or no excitation: the reduced impact map does not exist.
@@ -141,7 +141,7 @@ fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Latched<
         Region::Proved(_) if watch.is_stopped() => STOPPED,
         Region::Proved(trap) if trap.entered().is_none() => "the motion is not proved to enter the region",
         Region::Proved(_) => {
-            let question = HorseshoeSettings { depth: Some(request.depth), bases: Vec::new() };
+            let question = HorseshoeSettings { depth: Some(request.depth), ..HorseshoeSettings::default() };
             return match Chaos::of_scene(scene, &question, watch) {
                 Ok(chaos) => Horseshoe::Searched(Box::new(chaos)),
                 Err(error) => Horseshoe::NotExamined(error.to_string()),

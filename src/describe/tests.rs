@@ -141,7 +141,7 @@ fn several_harmonics_have_a_fate_but_no_region() {
 fn a_motion_in_a_region_carries_what_trap_proves() {
     let scene = figure("8", "9.42497", "0.5");
     let document = described(&scene);
-    let trap = Trap::of(&scene, 0, &Unwatched).unwrap().unwrap();
+    let trap = Trap::of(&scene, Effort::default(), &Unwatched).unwrap().unwrap();
     assert_eq!((document.fate.kind, document.fate.from), (FateName::StaysInRegion, trap.entered()));
     assert_eq!(document.region, Some(trap.document(&scene).unwrap()));
     assert!(document.certified && document.interrupted && document.proof.is_none());

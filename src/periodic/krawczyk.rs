@@ -25,7 +25,7 @@ pub struct Proved<N> {
 
 /// Limits of a proof. Nothing that is proved rests on them.
 #[derive(Clone, Copy, Debug)]
-pub struct Effort {
+pub struct Limits {
     /// The radius of the largest domain that is tried.
     pub largest: f64,
     /// Number of domains that are tried.
@@ -121,13 +121,13 @@ pub fn prove<N: Enclosing>(
     equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     guess: &[N],
-    effort: Effort,
+    limits: Limits,
 ) -> Option<Proved<N>> {
-    let mut radius = effort.largest;
-    for _ in 0..effort.domains {
+    let mut radius = limits.largest;
+    for _ in 0..limits.domains {
         let domain: Vec<N> = guess.iter().map(|x| x.with_radius(radius)).collect();
         if let Some(at) = image(equations, inverse, &domain).filter(|image| is_inside(image, &domain)) {
-            return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
+            return Some(Proved { at: refine(equations, inverse, at, &domain, limits), domain });
         }
         radius *= DOMAIN_FACTOR;
     }
@@ -142,14 +142,14 @@ pub fn prove_inflating<N: Enclosing>(
     equations: &dyn Equations<N>,
     inverse: &Preconditioner,
     guess: &[N],
-    effort: Effort,
+    limits: Limits,
 ) -> Option<Proved<N>> {
     const INFLATION: f64 = 1.25;
-    let mut domain: Vec<N> = guess.iter().map(|x| x.with_radius(effort.largest)).collect();
-    for _ in 0..effort.domains {
+    let mut domain: Vec<N> = guess.iter().map(|x| x.with_radius(limits.largest)).collect();
+    for _ in 0..limits.domains {
         let at = image(equations, inverse, &domain)?;
         if is_inside(&at, &domain) {
-            return Some(Proved { at: refine(equations, inverse, at, &domain, effort), domain });
+            return Some(Proved { at: refine(equations, inverse, at, &domain, limits), domain });
         }
         let grown = |(guess, at): (&N, N)| {
             let needed = (at - guess.clone()).as_ball().mag();
@@ -169,10 +169,10 @@ fn refine<N: Enclosing>(
     inverse: &Preconditioner,
     mut at: Vec<N>,
     domain: &[N],
-    effort: Effort,
+    limits: Limits,
 ) -> Vec<N> {
     let mut slow = 0;
-    for _ in 0..effort.images {
+    for _ in 0..limits.images {
         let Some(narrower) = image(equations, inverse, &at) else { break };
         let gain = widest(&at) - widest(&narrower);
         if !(gain > 0.0 && is_inside(&narrower, domain)) {
@@ -180,7 +180,7 @@ fn refine<N: Enclosing>(
         }
         at = narrower;
         slow += u32::from(gain < MIN_GAIN_BITS); // proposes: when to stop
-        if slow > effort.slow {
+        if slow > limits.slow {
             break;
         }
     }
@@ -198,7 +198,7 @@ mod tests {
     use crate::number::Wave;
     use proptest::prelude::*;
 
-    const EFFORT: Effort = Effort { largest: MAX_RADIUS, domains: 14, images: 40, slow: 0 };
+    const LIMITS: Limits = Limits { largest: MAX_RADIUS, domains: 14, images: 40, slow: 0 };
 
     /// `x^2 + y^2 = 1`, `x sin a = y cos a`: the zeros are `(cos a, sin a)` and its opposite.
     struct Circle {
@@ -246,21 +246,21 @@ mod tests {
             let circle = Circle { sin, cos };
             let guess = [cos, sin].into_iter().zip(off).map(|(x, off)| Ball::exact(x.mid() + off)).collect::<Vec<_>>();
             let inverse = inverse(&circle, &guess);
-            let Proved { at, domain } = prove(&circle, &inverse, &guess, EFFORT).unwrap();
+            let Proved { at, domain } = prove(&circle, &inverse, &guess, LIMITS).unwrap();
             for (found, zero) in at.iter().zip([cos, sin]) {
                 prop_assert!((found.mid() - zero.mid()).abs() <= found.rad() + zero.rad() && found.rad() < 1e-14);
             }
             prop_assert!(is_inside(&at, &domain));
             // No box that misses both zeros is mapped into itself.
             let away: Vec<Ball> = guess.iter().map(|x| Ball::exact(x.mid() + 0.25)).collect();
-            prop_assert_eq!(prove(&circle, &inverse, &away, EFFORT), None);
+            prop_assert_eq!(prove(&circle, &inverse, &away, LIMITS), None);
         }
 
         /// T3 proves regular zeros only.
         #[test]
         fn a_double_zero_is_never_proved(guess in prop_oneof![-0.1..0.1f64, -1e-9..1e-9f64], slope in 1e-9..1.0f64) {
             let inverse = inverse(&Square, &[Ball::exact(slope)]);
-            prop_assert_eq!(prove(&Square, &inverse, &[Ball::exact(guess)], EFFORT), None);
+            prop_assert_eq!(prove(&Square, &inverse, &[Ball::exact(guess)], LIMITS), None);
         }
     }
 }

@@ -4,7 +4,7 @@ mod precise;
 
 use super::chained::Chained;
 use super::equations::Orbits;
-use super::krawczyk::{self, Effort, MAX_RADIUS};
+use super::krawczyk::{self, Limits, MAX_RADIUS};
 use super::legs::Legs;
 use super::newton;
 use super::orbit::{Finding, PeriodicOrbit};
@@ -17,11 +17,11 @@ use crate::shaken::{Parameters, under};
 /// Images that may take less than a quarter of a bit off an orbit's enclosure: near a bifurcation the first ones do.
 const MAX_SLOW_IMAGES: u32 = 64;
 /// Limits of the proof of an orbit in `bits` bits.
-fn effort(bits: u32) -> Effort {
+fn limits(bits: u32) -> Limits {
     // Radii from 2^-5 in steps of 2^-3, down to eight bits above the last one.
     let domains = (bits - 8).min(1000).saturating_sub(5) / 3 + 1; // proposes: which domains are tried
     // Four images that are not slow take a bit.
-    Effort { largest: MAX_RADIUS, domains, images: MAX_SLOW_IMAGES + 4 * bits, slow: MAX_SLOW_IMAGES }
+    Limits { largest: MAX_RADIUS, domains, images: MAX_SLOW_IMAGES + 4 * bits, slow: MAX_SLOW_IMAGES }
 }
 
 impl Problem {
@@ -51,7 +51,7 @@ impl Problem {
         is_physical: impl FnOnce(&[N], &Legs<N, B::Moment>) -> Option<bool>,
     ) -> Option<Finding<N>> {
         let orbits = Orbits { chain: &self.chain, shaking };
-        let proved = krawczyk::prove(&orbits, inverse, guess, effort(bits))?;
+        let proved = krawczyk::prove(&orbits, inverse, guess, limits(bits))?;
         Finding::new(&self.chain, shaking, proved, is_physical)
     }
 

@@ -11,7 +11,7 @@ use super::saddle::{Guessed, Side};
 use super::search::{Floats, Fold};
 use crate::chaos;
 use crate::number::{Ball, Enclosing};
-use crate::periodic::krawczyk::{Effort, Equations, Proved, prove};
+use crate::periodic::krawczyk::{Equations, Limits, Proved, prove};
 use crate::periodic::precondition::Preconditioner;
 
 /// Greatest number of steps of Newton's iteration, the largest step, and the size of the last step.
@@ -171,8 +171,8 @@ pub(super) fn in_doubles(fold: &Fold, over: Parameter, other: Ball) -> Option<In
     const OUTER_FACTOR: f64 = 4.0;
     let ExtendedChain { chain, locals, inverse, x } =
         ExtendedChain::new(fold, over, other, OUTER_FACTOR * other.rad())?;
-    let effort = Effort { largest: MAX_DOMAIN, domains: 10, images: 30, slow: 3 };
-    let zero = prove(&chain, &inverse, &points(&x), effort)?;
+    let limits = Limits { largest: MAX_DOMAIN, domains: 10, images: 30, slow: 3 };
+    let zero = prove(&chain, &inverse, &points(&x), limits)?;
     let least = least(&chain, &zero.domain)?;
     Some(InDoubles { chain, locals, inverse, x, zero, least })
 }

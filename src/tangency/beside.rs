@@ -8,7 +8,7 @@ use super::unfolding::{Linear, solved};
 use crate::exact::Enclosure;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::entries::Entries;
-use crate::periodic::krawczyk::{Effort, Equations, Proved, is_inside, polish, prove_inflating};
+use crate::periodic::krawczyk::{Equations, Limits, Proved, is_inside, polish, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
 /// The numbers of common points of the manifolds on either side of a tangency, their `sigma` and states in these boxes.
@@ -25,7 +25,7 @@ pub(super) struct Sides {
 /// The unknowns before the states: `sigma_u`, `sigma_s`, the parameter.
 const OWN_UNKNOWNS: usize = 3;
 const PARAMETER: usize = 2;
-const EFFORT: Effort = Effort { largest: 0.0, domains: 12, images: 30, slow: 3 };
+const LIMITS: Limits = Limits { largest: 0.0, domains: 12, images: 30, slow: 3 };
 /// The largest half-length of the curve that is tried, in its coordinate, and how often it is halved.
 const MAX_HALF_LENGTH: f64 = 1.0 / 64.0;
 const MAX_HALVINGS: i32 = 16;
@@ -69,7 +69,7 @@ impl Curve<'_> {
         let own = Curve { at: self.at.centre(), ..*self };
         let guess = polish(&own, &inverse, guess.to_vec(), STEPS);
         let inverse = self.approximate(&guess)?;
-        Some((prove_inflating(self, &inverse, &guess, EFFORT)?, inverse))
+        Some((prove_inflating(self, &inverse, &guess, LIMITS)?, inverse))
     }
 
     /// Derivative of the parameter by the coordinate along a piece.

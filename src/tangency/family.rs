@@ -9,7 +9,7 @@ use super::proof::{Proof, conclude};
 use super::search::Fold;
 use crate::number::{Ball, Enclosing};
 use crate::periodic::entries::Entries;
-use crate::periodic::krawczyk::{Effort, Equations, prove_inflating};
+use crate::periodic::krawczyk::{Equations, Limits, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
 /// A chain whose last unknown is the other parameter; the last equation is that it has a value in this ball.
@@ -48,8 +48,8 @@ pub(super) fn tangency(fold: &Fold, over: Parameter, other: Ball) -> Option<Proo
     let family = Family { chain: &chain, other };
     let guess = [&points(&x)[..], &[other.centre()]].concat();
     let bordered = Preconditioner::new(&family.jacobian(&guess)?.map(|x| x.mid()))?;
-    let effort = Effort { largest: 0.0, domains: 20, images: 30, slow: 3 };
-    let zero = prove_inflating(&family, &bordered, &guess, effort)?;
+    let limits = Limits { largest: 0.0, domains: 20, images: 30, slow: 3 };
+    let zero = prove_inflating(&family, &bordered, &guess, limits)?;
     let (at, domain) = (&zero.at[..x.len()], &zero.domain[..x.len()]);
     if !(boxes::is_narrow(domain[2]) && (0..3).all(|i| boxes::is_within(at[i], domain[i]))) {
         return None;

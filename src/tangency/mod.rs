@@ -34,7 +34,7 @@ use crate::exact::Enclosure;
 use crate::periodic::Precision;
 use crate::scene::{Key, Range};
 use crate::watch::{Latched, Stage, Watch};
-use crate::{Error, Scene};
+use crate::{Effort, Error, Scene};
 pub use boxes::StateBounds;
 pub use document::at_least;
 pub use portrait::Portrait;
@@ -60,9 +60,9 @@ pub struct TangencySettings {
     pub longest: usize,
     /// Number of tangencies that are proved at most, those nearest to the scene's own value.
     pub most: usize,
-    /// Work of the search without a word for each saddle: about the number of flights in floating point. Following a fold to its tangency counts
-    /// as 10,000 flights; as much work again is allowed for all folds.
-    pub work: usize,
+    /// A multiple of the work of the search without a word: about 30 million flights in floating point for each saddle. Following a fold to
+    /// its tangency counts as 10,000 flights; as much work again is allowed for all folds.
+    pub effort: Effort,
     /// Requested widths of the enclosures: of `D` and of the parameters of the manifolds, absolute.
     pub precision: Precision,
 }
@@ -144,8 +144,10 @@ pub struct Tangencies {
 }
 
 impl TangencySettings {
-    /// The work by default: some 20 seconds for each saddle.
-    pub const WORK: usize = 30_000_000;
+    /// The work for each saddle, in flights: with the usual effort some 20 seconds.
+    fn work(&self) -> usize {
+        usize::try_from(self.effort.times(30_000_000)).unwrap_or(usize::MAX) // proposes: when to give up
+    }
 }
 
 impl Tangencies {
@@ -156,10 +158,10 @@ impl Tangencies {
     /// amplitude the gap.
     ///
     /// ```
-    /// use impact_pair::Scene;
     /// use impact_pair::periodic::Precision;
     /// use impact_pair::tangency::{Tangencies, TangencySettings};
     /// use impact_pair::watch::Unwatched;
+    /// use impact_pair::{Effort, Scene};
     /// let scene = Scene::parse(r#"
     ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
     ///     pair = { gap = 9.42497, restitution = 0.5 }
@@ -170,7 +172,7 @@ impl Tangencies {
     ///     word: Some("FFFFFFFNFFFFFNFFNFFNFFFF".parse()?),
     ///     longest: 24,
     ///     most: 1,
-    ///     work: TangencySettings::WORK,
+    ///     effort: Effort::default(),
     ///     precision: Precision::default(),
     /// };
     /// let found = Tangencies::of(&scene, &settings, &Unwatched)?;

@@ -89,14 +89,14 @@ impl<'s> Search<'s> {
     /// The folds that lead to tangencies in the range, in floating point, the nearest to the scene's own value first.
     pub fn folds(&self, settings: &TangencySettings, watch: &Latched<'_>) -> Folds {
         let mut found: Vec<Fold> = Vec::new();
-        let mut limited = false;
+        let (mut limited, work) = (false, settings.work());
         for guess in Guessed::all(self.own) {
             let Some(floats) = Floats::new(self.own, guess) else { continue };
             let (mut folds, is_whole) = match &settings.word {
                 Some(word) => (floats.folds(&word.0), true),
-                None => floats.all_folds(settings.longest, settings.work, watch),
+                None => floats.all_folds(settings.longest, work, watch),
             };
-            let most = settings.work / WORK_PER_FOLD;
+            let most = work / WORK_PER_FOLD;
             limited |= (!is_whole && !watch.is_stopped()) || folds.len() > most;
             if folds.len() > most {
                 folds.sort_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()));

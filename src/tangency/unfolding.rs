@@ -6,7 +6,7 @@ use super::terms::Terms;
 use crate::number::Enclosing;
 use crate::periodic::bifurcation::Jet;
 use crate::periodic::entries::Entries;
-use crate::periodic::krawczyk::{Effort, Equations, polish, prove_inflating};
+use crate::periodic::krawczyk::{Equations, Limits, polish, prove_inflating};
 use crate::periodic::precondition::Preconditioner;
 
 /// `q` and `m` of Lemma J5.
@@ -38,10 +38,10 @@ impl<N: Enclosing> Equations<N> for Linear<N> {
 /// Encloses the solutions of linear equations for all members; `None` where the matrix is not proved to be regular. Lemma T3
 pub(super) fn solved<N: Enclosing>(linear: &Linear<N>, inverse: &Preconditioner) -> Option<Vec<N>> {
     const POLISHING_STEPS: u32 = 6;
-    const EFFORT: Effort = Effort { largest: 0.0, domains: 20, images: 30, slow: 3 };
+    const LIMITS: Limits = Limits { largest: 0.0, domains: 20, images: 30, slow: 3 };
     let start = linear.right.iter().map(|x| x.centre() - x.centre()).collect();
     let guess = polish(linear, inverse, start, POLISHING_STEPS);
-    Some(prove_inflating(linear, inverse, &guess, EFFORT)?.at)
+    Some(prove_inflating(linear, inverse, &guess, LIMITS)?.at)
 }
 
 impl<N: Enclosing> Unfolding<N> {

@@ -92,6 +92,7 @@ fn has_words(document: &Value) -> Option<bool> {
     let question = HorseshoeSettings {
         depth: Some(document["depth"].as_u64()? as usize),
         bases: bases.iter().map(HSet::from).collect(),
+        ..HorseshoeSettings::default()
     };
     // It only names what is found.
     let scene = Scene::parse(include_str!("../../scenes/figure-14.toml")).ok()?;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use impact_pair::Effort;
 use impact_pair::chaos::{GlobalSettings, MOST_DEPTH};
 use impact_pair::scene::Range;
 use impact_pair::sweep::axis;
@@ -10,7 +11,7 @@ use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
 use crate::grid::GridArguments;
-use crate::values::{count, digits, whole};
+use crate::values::{digits, whole};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \
@@ -53,19 +54,9 @@ pub struct AtlasArguments {
     /// Prove each answer for all parameters of a cell
     #[arg(long)]
     pub cells: bool,
-    /// Boxes of the first partition, about: 2^N [default: 14, with --cells 12]
-    #[arg(long, value_name = "N", value_parser = whole(GlobalSettings::BOXES))]
-    pub boxes: Option<u32>,
-    /// Halve the boxes of a component up to N times
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(GlobalSettings::HALVINGS))]
-    pub halvings: u32,
-    /// Map about N boxes in all for each point or cell [default: 300000, with --cells 20000]
-    #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000))]
-    pub most: Option<u64>,
-    /// Do about N units of work for them: views of flights, columns that long flights may land in, boxes that are noted [default:
-    /// 100000000, with --cells 5000000]
-    #[arg(long, value_name = "N", value_parser = count(1..=1_000_000_000_000))]
-    pub work: Option<u64>,
+    /// Multiply the work for each point or cell by X: at 1 about 300,000 boxes are mapped for a point, 20,000 for a cell
+    #[arg(long, value_name = "X", default_value_t)]
+    pub effort: Effort,
     /// Look for horseshoes in undecided components of a point, and of a smallest cell, by words of at most K impacts: some seconds each
     #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
     pub horseshoes: Option<u32>,
@@ -87,8 +78,7 @@ pub struct AtlasArguments {
 }
 
 /// The options that shards have fixed already.
-const FIXED_BY_SHARDS: [&str; 11] =
-    ["scene", "over", "cells", "boxes", "halvings", "most", "work", "horseshoes", "digits", "shard", "resume"];
+const FIXED_BY_SHARDS: [&str; 8] = ["scene", "over", "cells", "effort", "horseshoes", "digits", "shard", "resume"];
 
 /// Output formats of an atlas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -108,19 +98,13 @@ pub enum AtlasFormat {
 }
 
 impl AtlasArguments {
-    /// Returns the settings of the analysis of each point or cell: those of the command line, else the defaults.
-    pub fn settings(&self) -> anyhow::Result<GlobalSettings> {
-        let usual = if self.cells { GlobalSettings::of_cell() } else { GlobalSettings::default() };
-        let mut settings = GlobalSettings {
-            boxes: self.boxes.map_or(usual.boxes, |boxes| 1 << boxes),
-            halvings: self.halvings,
-            most: self.most.map_or(Ok(usual.most), usize::try_from)?,
-            work: self.work.unwrap_or(usual.work),
-            horseshoes: self.horseshoes.map(|depth| depth as usize),
-            ..usual
-        };
+    /// Returns the settings of the analysis of each point or cell: the usual ones, times the effort.
+    pub fn settings(&self) -> GlobalSettings {
+        let usual = if self.cells { GlobalSettings::of_cell() } else { GlobalSettings::of_point() };
+        let horseshoes = self.horseshoes.map(|depth| depth as usize);
+        let mut settings = GlobalSettings { horseshoes, ..usual }.with_effort(self.effort);
         settings.precision.digits = self.digits;
-        Ok(settings)
+        settings
     }
 }
 

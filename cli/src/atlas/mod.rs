@@ -64,7 +64,7 @@ fn format(arguments: &AtlasArguments) -> Result<AtlasFormat> {
 fn compute(arguments: &AtlasArguments, format: AtlasFormat, path: &Path) -> Result<Answer> {
     let scene: Scene = scene::read(path)?;
     let plane = Plane::new(arguments.over.clone(), arguments.cells)?;
-    let settings = arguments.settings()?;
+    let settings = arguments.settings();
     let head = atlas::head(&scene, &plane, &settings, arguments.grid.shard());
     // All corners are scenes that are analysed, before anything is computed.
     let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key(), axis.to_string())).collect();

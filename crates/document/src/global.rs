@@ -96,7 +96,7 @@ pub struct ComponentDocument {
     pub area: Decimal,
     /// Whether all motions with an impact in it are in it in the end, or at an attractor inside it.
     pub closed: bool,
-    /// Of an undecided one the limit that leaves it so: the option `most`, `halvings` or `work`, or `interrupted`.
+    /// Of an undecided one the limit that leaves it so: `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
     /// Of an undecided one a horseshoe that is proved to be in it, if one was looked for.

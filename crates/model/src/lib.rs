@@ -4,6 +4,7 @@
 //! settings of an orbit, and the scene file that specifies them all. Parameters are exact reals or intervals of values; nothing is
 //! rounded. The library that computes and the crate that checks certificates share only this crate.
 
+mod effort;
 mod error;
 mod event;
 mod excerpt;
@@ -16,6 +17,7 @@ mod settings;
 mod start;
 pub mod watch;
 
+pub use effort::Effort;
 pub use error::{Error, ErrorKind, within};
 pub use event::{EventKind, Miss};
 pub use excerpt::Excerpt;

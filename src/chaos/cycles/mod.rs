@@ -28,7 +28,7 @@ use crate::pair::Wall;
 use crate::periodic::{Identity, PeriodicImpact, PeriodicOrbit, Precision, Problem, Region, Stability};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
-use crate::{Error, Scene};
+use crate::{Effort, Error, Scene};
 use chain::{Chain, Laws};
 use graph::Graph;
 use relation::Relation;
@@ -57,15 +57,15 @@ pub const MOST_IMPACTS: u32 = 64;
 /// entropy `h`.
 ///
 /// ```
-/// use impact_pair::Scene;
 /// use impact_pair::chaos::Cycles;
 /// use impact_pair::watch::Unwatched;
+/// use impact_pair::{Effort, Scene};
 /// let scene = Scene::parse(r#"
 ///     excitation = { amplitude = 8, frequency = "pi", phase = 0 }
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let cycles = Cycles::of(&scene, 0, &(1..=5), Default::default(), &Unwatched)?.expect("a region");
+/// let cycles = Cycles::of(&scene, Effort::default(), &(1..=5), Default::default(), &Unwatched)?.expect("a region");
 /// assert!(cycles.fixed_points().values().eq(&[1, 1, 4, 1, 11]) && cycles.has_no_attractor());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
@@ -79,7 +79,7 @@ pub struct Cycles {
 }
 
 impl Cycles {
-    /// Proves all cycles of the `requested` numbers of impacts in the region that [`Trap::of`] finds.
+    /// Proves all cycles of the `requested` numbers of impacts in the region that [`Trap::of`] finds with this effort.
     ///
     /// `watch` receives the progress, and may stop it; numbers of impacts not done then have no count.
     ///
@@ -87,12 +87,12 @@ impl Cycles {
     /// With several harmonics, and when a value is beyond the range of double-precision flights.
     pub fn of(
         scene: &Scene,
-        finer: u32,
+        effort: Effort,
         requested: &RangeInclusive<u32>,
         precision: Precision,
         watch: &dyn Watch,
     ) -> Result<Result<Self, NoTrap>, Error> {
-        let trap = match Trap::of(scene, finer, watch)? {
+        let trap = match Trap::of(scene, effort, watch)? {
             Ok(trap) => trap,
             Err(why) => return Ok(Err(why)),
         };

@@ -21,7 +21,7 @@ fn figure(number: u32) -> Scene {
 }
 
 fn found(scene: &Scene, impacts: RangeInclusive<u32>) -> Cycles {
-    Cycles::of(scene, 0, &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
+    Cycles::of(scene, Effort::default(), &impacts, Precision::default(), &Unwatched).unwrap().unwrap()
 }
 
 /// Whether a number computed in floating point, with an error of 1e-8, may be in an interval.
@@ -138,7 +138,7 @@ fn attracting_motions_are_found_and_stated() {
 #[test]
 fn an_interrupted_search_claims_no_count() {
     let until = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Cycles { impacts: 3, blocks: 20.., .. }));
-    let cycles = Cycles::of(&figure(14), 0, &(1..=7), Precision::default(), &until).unwrap().unwrap();
+    let cycles = Cycles::of(&figure(14), Effort::default(), &(1..=7), Precision::default(), &until).unwrap().unwrap();
     assert!(cycles.fixed_points().keys().eq(&[1, 2]) && !cycles.is_exhaustive() && !cycles.has_no_attractor());
     assert!(!cycles.cycles().is_empty());
 }

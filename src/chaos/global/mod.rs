@@ -18,18 +18,16 @@ mod saddles;
 mod tests;
 mod walks;
 
-use std::ops::RangeInclusive;
-
 use impact_pair_model::require_digits;
 
 use super::horseshoe::Horseshoe;
 use super::law::Law;
-use crate::Error;
 use crate::exact::Exact;
 use crate::pair::{ImpactPair, too_large};
 use crate::periodic::Precision;
 use crate::units;
 use crate::watch::Watch;
+use crate::{Effort, Error};
 use analysis::{Analysis, Request};
 pub use basins::{Basin, BasinOutcome, Patch};
 pub(super) use cycle::closed;
@@ -40,16 +38,16 @@ pub use known::{Kind, LimitCycle, RestCycle};
 /// The settings of a global analysis.
 #[derive(Clone, Copy, Debug)]
 pub struct GlobalSettings {
-    /// Boxes of the first partition, about: a power of two, see [`GlobalSettings::BOXES`].
+    /// Boxes of the first partition, about: a power of two from 2^8 to 2^20.
     pub boxes: u32,
-    /// Number of times that the boxes of a component are halved at most.
+    /// Number of times that the boxes of a component are halved at most, up to 40.
     pub halvings: u32,
     /// Boxes whose images are computed in all, about.
     pub most: usize,
     /// The work of their images in all, about: views of flights, columns that long flights may land in, and boxes that are noted; as much
     /// again is allowed for those of basins.
     pub work: u64,
-    /// Boxes by which basins are proved, about, if they are requested: a power of two, see [`GlobalSettings::BASINS`].
+    /// Boxes by which basins are proved, about, if they are requested: a power of two from 2^8 to 2^24.
     pub basins: Option<u32>,
     /// The most impacts of words of horseshoes, if these are looked for in components of which nothing else is decided.
     pub horseshoes: Option<usize>,
@@ -57,18 +55,13 @@ pub struct GlobalSettings {
     pub precision: Precision,
 }
 
-/// The boxes whose images are computed by default.
-pub const DEFAULT_BOXES: usize = 300_000;
-/// The work of an analysis by default.
-pub const DEFAULT_WORK: u64 = 100_000_000;
-
 impl Default for GlobalSettings {
     fn default() -> Self {
         Self {
             boxes: 1 << 14,
-            halvings: 40,
-            most: DEFAULT_BOXES,
-            work: DEFAULT_WORK,
+            halvings: Self::MOST_HALVINGS,
+            most: 300_000,
+            work: 100_000_000,
             basins: None,
             horseshoes: None,
             precision: Precision::default(),
@@ -77,31 +70,53 @@ impl Default for GlobalSettings {
 }
 
 impl GlobalSettings {
+    /// Boxes by which basins are proved, where no other number is requested.
+    pub const USUAL_BASINS: u32 = 1 << 16;
     /// Accepted logarithms to base 2 of the boxes of the first partition.
-    pub const BOXES: RangeInclusive<u32> = 8..=20;
-    /// Accepted numbers of halvings.
-    pub const HALVINGS: RangeInclusive<u32> = 0..=40;
+    const BOXES: (u32, u32) = (8, 20);
+    /// The most halvings.
+    const MOST_HALVINGS: u32 = 40;
     /// Accepted logarithms to base 2 of the boxes of basins.
-    pub const BASINS: RangeInclusive<u32> = 8..=24;
+    const BASINS: (u32, u32) = (8, 24);
+
+    /// These limits with an effort: so many times the boxes and their work, with partitions rounded down to powers of two. Each doubling allows one
+    /// halving of a component's boxes more; below 1 there are no fewer, as fewer boxes end it first.
+    #[must_use]
+    pub fn with_effort(self, effort: Effort) -> Self {
+        let power = |boxes: u32, accepted| 1 << effort.doubled(boxes.ilog2(), accepted);
+        Self {
+            boxes: power(self.boxes, Self::BOXES),
+            halvings: effort.doubled(self.halvings, (self.halvings, Self::MOST_HALVINGS)),
+            most: usize::try_from(effort.times(self.most as u64)).unwrap_or(usize::MAX), // proposes: when to give up
+            work: effort.times(self.work),
+            basins: self.basins.map(|boxes| power(boxes, Self::BASINS)),
+            ..self
+        }
+    }
 
     /// Refuses settings that no analysis is made with.
     fn require_accepted(&self) -> Result<(), Error> {
         let boxes = [("boxes", Some(self.boxes), Self::BOXES), ("basins", self.basins, Self::BASINS)];
         for (key, number, accepted) in boxes {
-            if let Some(number) = number.filter(|n| !(n.is_power_of_two() && accepted.contains(&n.ilog2()))) {
-                let (least, most) = accepted.into_inner();
+            let (least, most) = accepted;
+            if let Some(number) = number.filter(|n| !(n.is_power_of_two() && (least..=most).contains(&n.ilog2()))) {
                 let message = format!("{key} is {number}, but must be a power of two from 2^{least} to 2^{most}");
                 return Err(Error::out_of_range(key, message));
             }
         }
-        let (least, most) = Self::HALVINGS.into_inner();
-        Error::require_range("halvings", &Exact::from(i64::from(self.halvings)), least.into(), most.into())?;
+        let halvings = Exact::from(i64::from(self.halvings));
+        Error::require_range("halvings", &halvings, 0, Self::MOST_HALVINGS.into())?;
         require_digits(self.precision.digits)
     }
 
-    /// Default limits for one of many cells of two parameters: fewer boxes, less work.
+    /// The usual limits for one of many points of two parameters: fewer halvings.
+    pub fn of_point() -> Self {
+        Self { halvings: 18, ..Self::default() }
+    }
+
+    /// The usual limits for one of many cells: fewer boxes, less work.
     pub fn of_cell() -> Self {
-        Self { boxes: 1 << 12, most: 20_000, work: DEFAULT_WORK / 20, ..Self::default() }
+        Self { boxes: 1 << 12, most: 20_000, work: 5_000_000, ..Self::of_point() }
     }
 }
 
@@ -143,7 +158,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// Name of the reason in the JSON output: the option that sets the limit.
+    /// Name of the reason in the JSON output.
     pub fn name(self) -> &'static str {
         match self {
             Self::Most => "most",

@@ -9,7 +9,6 @@ use super::root::{Edge, ratios, root};
 use super::strings::{EMPTY_BOUNDS, ends, hull};
 use super::strip::{Branch, Cell, Map, Strip};
 use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
-use crate::Scene;
 use crate::chaos::cycles::{Cycle, Cycles};
 use crate::chaos::guess::Guess;
 use crate::chaos::horseshoe::Chaos;
@@ -23,6 +22,7 @@ use crate::number::{Ball, Number, logarithm};
 use crate::pair::Wall;
 use crate::periodic::Precision;
 use crate::watch::Unwatched;
+use crate::{Effort, Scene};
 
 const H_SETS: [[f64; 6]; 3] = [
     [4.891025, 1.234518, 0.180768, 0.082, -0.00187, 0.002596],
@@ -36,7 +36,7 @@ fn law() -> Law {
 
 fn chaos() -> Chaos {
     let base = |[u, w, a, b, c, d]: [f64; 6]| HSet::new([u / TAU, w], [a / TAU, b], [c / TAU, d]);
-    Chaos::proved(&law(), H_SETS.map(base).to_vec(), Some(3), &Unwatched)
+    Chaos::proved(&law(), H_SETS.map(base).to_vec(), (3, u64::MAX), &Unwatched)
 }
 
 fn of(law: &Law, chaos: &Chaos) -> Hyperbolic {
@@ -186,8 +186,9 @@ fn cycles_in_the_set_are_those_of_its_words_and_their_exponents_within_the_bound
         .map(|(number, branch)| (*number, branch))
         .collect();
     let scene = Scene::parse(include_str!("../../../scenes/figure-14.toml")).expect("a scene");
-    let cycles =
-        Cycles::of(&scene, 0, &(1..=MAX_LENGTH), Precision::default(), &Unwatched).expect("a law").expect("a region");
+    let cycles = Cycles::of(&scene, Effort::default(), &(1..=MAX_LENGTH), Precision::default(), &Unwatched)
+        .expect("a law")
+        .expect("a region");
     assert!(cycles.is_certified());
     let (mut found, mut all) = (BTreeSet::new(), EMPTY_BOUNDS);
     for cycle in cycles.cycles() {

@@ -78,7 +78,7 @@ fn letter(side: Side) -> char {
 /// wall. Lemmas D30, D31
 ///
 /// ```
-/// use impact_pair::Scene;
+/// use impact_pair::{Effort, Scene};
 /// use impact_pair::watch::Unwatched;
 /// use impact_pair::chaos::{BoxGraph, Trap, WallWords};
 /// let scene = Scene::parse(r#"
@@ -86,7 +86,7 @@ fn letter(side: Side) -> char {
 ///     pair = { gap = 9.42497, restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12.56636 }
 /// "#)?;
-/// let trap = Trap::of(&scene, 0, &Unwatched)?.expect("a region");
+/// let trap = Trap::of(&scene, Effort::default(), &Unwatched)?.expect("a region");
 /// let words = WallWords::of(&BoxGraph::of(scene.pair(), &trap)?, 22, &Unwatched).expect("few sets of boxes");
 /// assert!(words.entropy() < 0.4224 && words.allows("FNFFN"));
 /// # Ok::<(), impact_pair::Error>(())

@@ -7,7 +7,7 @@ use super::super::chain::Chain;
 use super::super::chained::Moment;
 use super::super::equations::flights;
 use super::super::identity::is_symmetric;
-use super::super::krawczyk::{self, Effort, MAX_RADIUS, Proved, widest};
+use super::super::krawczyk::{self, Limits, MAX_RADIUS, Proved, widest};
 use super::super::legs::Legs;
 use super::super::orbit::{Finding, PeriodicImpact, PeriodicOrbit, whole_periods};
 use super::super::precondition::Preconditioner;
@@ -139,8 +139,8 @@ impl<S: Varied> Claim<'_, S> {
         let is_sparse = bits > f64::MANTISSA_DIGITS;
         let equations = Posed { system: &self.system, family, is_sparse };
         let guess = krawczyk::polish(&equations, inverse, guess, bits / krawczyk::PRECONDITIONED_GAIN_BITS);
-        let effort = Effort { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
-        krawczyk::prove(&equations, inverse, &guess, effort)
+        let limits = Limits { largest, domains: MOST_DOMAINS, images: MOST_IMAGES, slow: 0 };
+        krawczyk::prove(&equations, inverse, &guess, limits)
     }
 
     /// Bifurcation at a proved zero; `None` where its orbit is not proved.

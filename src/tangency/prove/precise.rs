@@ -5,7 +5,7 @@ use super::super::proof::Proof;
 use super::Request;
 use crate::exact::Exact;
 use crate::number::MpBall;
-use crate::periodic::krawczyk::{Effort, polish, prove};
+use crate::periodic::krawczyk::{Limits, polish, prove};
 
 /// Proof that is as narrow as requested, in as few bits as suffice.
 pub(super) fn proof(found: &InDoubles, request: &Request, is_narrow: impl Fn(&Proof) -> bool) -> Option<Proof> {
@@ -28,8 +28,8 @@ impl InDoubles {
         let chain = chain_in(&self.chain, other, (&self.locals, &self.x), error);
         let guess: Vec<MpBall> = self.x.iter().map(|x| MpBall::from_f64_bits(*x, bits)).collect();
         let polished = polish(&chain, &self.inverse, guess, bits / 16);
-        let effort = Effort { largest: (48.0 - f64::from(bits)).exp2(), domains: 1, images: 8, slow: 1 };
-        let zero = prove(&chain, &self.inverse, &polished, effort)?;
+        let limits = Limits { largest: (48.0 - f64::from(bits)).exp2(), domains: 1, images: 8, slow: 1 };
+        let zero = prove(&chain, &self.inverse, &polished, limits)?;
         self.conclude(&chain, &zero.at)
     }
 }

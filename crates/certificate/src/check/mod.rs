@@ -118,6 +118,15 @@ impl Default for Effort {
     }
 }
 
+impl From<impact_pair_model::Effort> for Effort {
+    /// The usual limits, with that many times the parts and the evaluations: these are what claims are left undecided by.
+    fn from(effort: impact_pair_model::Effort) -> Self {
+        let usual = Self::default();
+        let parts = u32::try_from(effort.times(usual.parts.into())).unwrap_or(u32::MAX); // proposes: when to give up
+        Self { parts, work: effort.times(usual.work), ..usual }
+    }
+}
+
 /// The first precision, in bits.
 const FIRST_BITS: u32 = 192;
 /// Bits at which a claim is given up if it was undecided at a quarter of them: then a bound is the exact value, or there is an exact

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
+use impact_pair::chaos::GlobalSettings;
 use impact_pair::json::{AtlasHead, ComponentDocument, PeriodDocument, SceneDocument, counted};
 use serde_json::{Value, json};
 
@@ -129,12 +130,11 @@ fn toml(scene: &SceneDocument) -> String {
     text
 }
 
-/// The options of `global` with which the atlas was computed.
+/// The options with which `global` maps as many boxes as the atlas for a point or a cell; it may halve them more often.
 fn settings(head: &AtlasHead) -> String {
     let horseshoes = head.horseshoes.map_or(String::new(), |depth| format!(" --horseshoes {depth}"));
-    let AtlasHead { halvings, most, work, digits, .. } = head;
-    let boxes = head.boxes.ilog2();
-    format!("--boxes {boxes} --halvings {halvings} --most {most} --work {work} --digits {digits}{horseshoes}")
+    let effort = head.most as f64 / GlobalSettings::default().most as f64; // shown
+    format!("--effort {effort} --digits {}{horseshoes}", head.digits)
 }
 
 /// All points or cells as the rows of a table.

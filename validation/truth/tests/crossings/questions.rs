@@ -20,7 +20,7 @@ use impact_pair::sweep::{self, Grid};
 use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
-use impact_pair::{Error, Scene, two_impact};
+use impact_pair::{Effort, Error, Scene, two_impact};
 use impact_pair_truth::float;
 use serde_json::{Value, json};
 
@@ -298,7 +298,9 @@ impl Case {
     }
 
     fn trap(&mut self) -> Result<Answer, Error> {
-        let found = Trap::of(&self.scene, 0, &|at: Stage<'_>| proceed_if(!matches!(at, Stage::Region(BOXES..))))?;
+        let found = Trap::of(&self.scene, Effort::default(), &|at: Stage<'_>| {
+            proceed_if(!matches!(at, Stage::Region(BOXES..)))
+        })?;
         let Ok(region) = found else { return Ok(Answer::Nothing("no region")) };
         let impacts = 1 + self.random.below(8) as u32;
         let words = WallWords::of(&BoxGraph::of(self.scene.pair(), &region)?, impacts, &|at: Stage<'_>| {
@@ -316,7 +318,7 @@ impl Case {
         let is_given = amplitude == "8" && is_half;
         let bases =
             if is_given { H_SETS.map(|[at, long, short]| HSet::new(at, long, short)).to_vec() } else { Vec::new() };
-        let question = chaos::HorseshoeSettings { depth: Some(3), bases };
+        let question = chaos::HorseshoeSettings { depth: Some(3), bases, ..Default::default() };
         let limit = CallLimit::new();
         let watch = |at: Stage<'_>| match at {
             Stage::Horseshoe { boxes, .. } if boxes >= 4 * BOXES as u64 => proceed_if(false),
@@ -390,8 +392,8 @@ impl Case {
         let (name, own) = self.key(key);
         let over = format!("{name}={}..{}", own * 0.75, own * 1.25).parse()?;
         let precision = Precision { digits: 9, max_bits: 512 };
-        let (word, work) = (Some("FFNFF".parse()?), TangencySettings::WORK);
-        let settings = TangencySettings { over, word, longest: 5, most: 1, work, precision };
+        let (word, effort) = (Some("FFNFF".parse()?), Effort::default());
+        let settings = TangencySettings { over, word, longest: 5, most: 1, effort, precision };
         let found = Tangencies::of(&self.scene, &settings, &Unwatched)?;
         Ok(Answer::Tangency(json!(found.document(&self.scene))))
     }
@@ -404,7 +406,7 @@ impl Case {
             at => proceed_if(!matches!(at, Stage::Region(BOXES..))),
         };
         let precision = Precision { digits: 9, max_bits: 512 };
-        let found = Cycles::of(&self.scene, 0, &requested, precision, &watch)?;
+        let found = Cycles::of(&self.scene, Effort::default(), &requested, precision, &watch)?;
         Ok(Answer::Cycles(json!(Cycles::document(&self.scene, &requested, found.as_ref().map_err(|why| *why))?)))
     }
 
