@@ -3,7 +3,8 @@
 
 use impact_pair::chaos::{
     BoxGraph, Cells, Chaos, Cycles, Global, GlobalSettings, HSet, HorseshoeSettings, Hyperbolic, MOST_CELLS,
-    MOST_COUNTED, MOST_DEPTH, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings, Windows,
+    MOST_COUNTED, MOST_DEPTH, MOST_IMPACTS, MOST_WINDOW_IMPACTS, RangeSettings, Trap, WallWords, WindowSettings,
+    Windows,
 };
 use impact_pair::exact::Exact;
 use impact_pair::json::{GivenBase, WallWordsDocument, one_a_line};
