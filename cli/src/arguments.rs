@@ -2,15 +2,18 @@
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
+use impact_pair_answers::{BifurcationOptions, PeriodicOptions, TwoImpactOptions};
 
 use crate::atlas::arguments as atlas;
 use crate::audit::arguments as audit;
+use crate::destination::Destination;
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
 use crate::trade::arguments as trade;
-use crate::two_impact::arguments as two_impact;
+use crate::verb::Arguments;
 use crate::{
-    bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, tangency, trap, version, windows,
+    bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, tangency, trap, two_impact,
+    version, windows,
 };
 
 /// Verified numerics for the horizontal impact pair: every impact proved
@@ -45,10 +48,10 @@ pub enum Verb {
     Describe(describe::DescribeArguments),
     /// Prove the periodic orbits of a word of mappings, and their stability
     #[command(after_help = EXIT_CODES, after_long_help = periodic::HELP)]
-    Periodic(periodic::PeriodicArguments),
+    Periodic(Arguments<PeriodicOptions, Destination>),
     /// Prove the folds, pitchforks, period doublings and grazes of a word's orbits over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = bifurcations::HELP)]
-    Bifurcations(bifurcations::BifurcationArguments),
+    Bifurcations(Arguments<BifurcationOptions, Destination>),
     /// Prove a trapping region of a scene: no sticking, no complete chatter, bounds for all time
     #[command(after_help = EXIT_CODES, after_long_help = trap::HELP)]
     Trap(trap::TrapArguments),
@@ -87,7 +90,7 @@ pub enum Verb {
     Plot(plot::PlotArguments),
     /// Find the motions with two impacts in N cycles: closed forms (61)-(73), all others, first contacts, stability
     #[command(after_help = two_impact::EXIT_CODES, after_long_help = two_impact::HELP)]
-    TwoImpact(two_impact::TwoImpactArguments),
+    TwoImpact(Arguments<TwoImpactOptions, two_impact::ManifoldDrawing>),
     /// Compare another simulator's list of impacts with the certified orbit: inside, outside, missed, false; where it diverges
     #[command(after_help = audit::EXIT_CODES, after_long_help = audit::HELP)]
     Audit(audit::AuditArguments),

@@ -16,12 +16,12 @@ use serde::Deserialize;
 
 use crate::Answer;
 use crate::destination::{Drawing, Files, OpenOutput};
-use crate::heading::heading;
 use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::whole;
+use impact_pair_answers::heading;
+use impact_pair_answers::values::whole;
 
 pub const HELP: &str = "\
 Examples:
@@ -175,7 +175,7 @@ impl Work<'_> {
         let open = (!is_proved).then(|| table::conclusion(&document, &found));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::chaos::chaos(scene, over, (&found, proved.as_ref()), &self.arguments.drawing.look)
+            Some(impact_pair_plot::chaos::chaos(scene, over, (&found, proved.as_ref()), &self.arguments.drawing.look))
         })
     }
 
@@ -198,7 +198,7 @@ impl Work<'_> {
         let open = (!document.certified).then(|| table::shares(&document));
         let is_table = self.format == PeriodicFormat::Table;
         self.files.draw((&text, open, is_table), || {
-            impact_pair_plot::proved::cells(scene, &requested, &found, &self.arguments.drawing.look)
+            Some(impact_pair_plot::proved::cells(scene, &requested, &found, &self.arguments.drawing.look))
         })
     }
 }

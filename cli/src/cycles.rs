@@ -16,13 +16,13 @@ use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Destination, OpenOutput};
-use crate::heading::heading;
 use crate::output::note;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
 use crate::trap;
-use crate::values::{digits, numbers};
+use impact_pair_answers::heading;
+use impact_pair_answers::values::{digits, numbers};
 
 pub const HELP: &str = "\
 Examples:

@@ -13,10 +13,10 @@ use impact_pair::orbit::MAX_BITS;
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
-use crate::heading::heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{bits, count, whole};
+use impact_pair_answers::heading;
+use impact_pair_answers::values::{bits, count, whole};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 the fate of the motion is certified; 1 it is undecided, or the run was interrupted; 2 usage, bad input, I/O";
@@ -90,7 +90,7 @@ pub fn describe(arguments: &DescribeArguments) -> Result<Answer> {
     let open = (!document.certified || document.interrupted).then(|| conclusion(&document));
     let is_table = format == DescribeFormat::Text;
     files.draw((&text, open, is_table), || {
-        impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.drawing.look)
+        Some(impact_pair_plot::describe::describe(&scene, &found, &document, &arguments.drawing.look))
     })
 }
 

@@ -106,10 +106,12 @@ impl Files {
     pub fn draw(
         self,
         (text, open, is_table): (&str, Option<String>, bool),
-        svg: impl FnOnce() -> Result<String>,
+        svg: impl FnOnce() -> Option<Result<String>>,
     ) -> Result<Answer> {
         let answer = self.out.answer(text, open, (self.quiet, is_table))?;
-        if let Some((picture, path, look)) = self.picture {
+        if let Some((picture, path, look)) = self.picture
+            && let Some(svg) = svg()
+        {
             picture.draw(&path, &look, svg)?;
         }
         Ok(answer)

@@ -13,10 +13,10 @@ use impact_pair::{Effort, Scene};
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
 use crate::graph::{Graph, Value};
-use crate::heading::pair_heading;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{digits, whole};
+use impact_pair_answers::pair_heading;
+use impact_pair_answers::values::{digits, whole};
 
 pub const HELP: &str = "\
 Examples:
@@ -107,7 +107,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
     };
     let open = (!document.certified).then(|| conclusion(&document));
     files.draw((&text, open, format == GlobalFormat::Table), || {
-        impact_pair_plot::global::global(&scene, &found, &document, &arguments.drawing.look)
+        Some(impact_pair_plot::global::global(&scene, &found, &document, &arguments.drawing.look))
     })
 }
 

@@ -15,7 +15,6 @@ mod ending;
 mod global;
 mod graph;
 mod grid;
-mod heading;
 mod listing;
 mod man;
 mod output;
@@ -31,7 +30,7 @@ mod tangency;
 mod trade;
 mod trap;
 mod two_impact;
-mod values;
+mod verb;
 mod verified;
 mod version;
 mod windows;
@@ -68,8 +67,8 @@ pub fn main() -> ExitCode {
     let answer = match verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Describe(arguments) => describe::describe(&arguments),
-        Verb::Periodic(arguments) => periodic::periodic(&arguments),
-        Verb::Bifurcations(arguments) => bifurcations::bifurcations(&arguments),
+        Verb::Periodic(arguments) => verb::answer(arguments),
+        Verb::Bifurcations(arguments) => verb::answer(arguments),
         Verb::Trap(arguments) => trap::trap(&arguments),
         Verb::Chaos(arguments) => chaos::chaos(&arguments),
         Verb::Cycles(arguments) => cycles::cycles(&arguments),
@@ -82,7 +81,7 @@ pub fn main() -> ExitCode {
         Verb::Plot(arguments) => plot::plot(&arguments),
         Verb::Sweep(arguments) => sweep::sweep(&arguments),
         Verb::Trade(arguments) => trade::trade(&arguments),
-        Verb::TwoImpact(arguments) => two_impact::two_impact(&arguments),
+        Verb::TwoImpact(arguments) => verb::answer(arguments),
         Verb::Audit(arguments) => audit::audit(&arguments),
         Verb::Man(arguments) => man::man(Cli::command(), &arguments),
         Verb::Completions { shell } => completions(shell),

@@ -65,9 +65,9 @@ impl Output {
     }
 
     /// Writes the picture of this `path`, all of it.
-    pub fn draw(mut self, path: &Path, look: &Look, svg: impl FnOnce() -> Result<String>) -> Result<()> {
+    pub fn draw(mut self, path: &Path, look: &Look, svg: Result<String>) -> Result<()> {
         let failed = || format!("cannot draw {}", path.display());
-        let bytes = svg().and_then(|svg| encoded(&svg, look, path)).with_context(failed)?;
+        let bytes = svg.and_then(|svg| encoded(&svg, look, path)).with_context(failed)?;
         self.write_all(&bytes).with_context(failed)?;
         self.commit()
     }

@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use impact_pair::json::counted;
 use impact_pair::watch::{Stage, Watch, proceed_if};
+use impact_pair_answers::Counts;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Impacts between two looks at the clock; in doubles these take less than a blink.
@@ -32,8 +33,19 @@ impl Progress {
         Self::drawn(impacts, template)
     }
 
+    /// Counts what a verb counts.
+    pub fn counting(what: Counts, is_shown: bool) -> Self {
+        match what {
+            Counts::Stages => Self::stages(is_shown),
+            Counts::Cells => Self::search(is_shown),
+            Counts::Parameters(cells) => Self::cells(cells, is_shown),
+            Counts::Impacts(impacts) => Self::new(impacts, is_shown),
+            Counts::Nothing(what) => Self::of(what, is_shown),
+        }
+    }
+
     /// Counts the cells of a search.
-    pub fn search(is_shown: bool) -> Self {
+    fn search(is_shown: bool) -> Self {
         if is_shown { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
     }
 

@@ -13,7 +13,7 @@ use crate::ending;
 use crate::output::{Output, note};
 use crate::progress::{Progress, catch_interruption};
 use crate::scene;
-use crate::values::count;
+use impact_pair_answers::values::count;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 the file proves all the impacts requested; 1 fewer of them; 2 usage, bad input, I/O";

@@ -17,7 +17,7 @@ use crate::destination::{Destination, Files, OpenOutput};
 use crate::listing::{Format, Listing};
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{ARITHMETICS, bits, count, digits, point};
+use impact_pair_answers::values::{ARITHMETICS, bits, count, digits, point};
 
 pub const HELP: &str = "\
 Examples:

@@ -16,11 +16,11 @@ use impact_pair::{Effort, Scene};
 
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
-use crate::heading::heading;
 use crate::periodic::PeriodicFormat;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::{PrecisionArguments, count};
+use impact_pair_answers::heading;
+use impact_pair_answers::values::{PrecisionArguments, count};
 
 pub const HELP: &str = "\
 Examples:
@@ -120,8 +120,9 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     };
     let open = (!found.is_certified()).then(|| conclusion(&found));
     let is_table = format == PeriodicFormat::Table;
-    files
-        .draw((&text, open, is_table), || impact_pair_plot::tangency::tangency(&scene, &found, &arguments.drawing.look))
+    files.draw((&text, open, is_table), || {
+        Some(impact_pair_plot::tangency::tangency(&scene, &found, &arguments.drawing.look))
+    })
 }
 
 fn table(scene: &Scene, found: &Tangencies) -> Result<String, fmt::Error> {

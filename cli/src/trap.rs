@@ -12,11 +12,11 @@ use impact_pair::{Effort, Scene};
 use crate::Answer;
 use crate::destination::{Drawing, OpenOutput};
 use crate::graph::{Graph, Value};
-use crate::heading::heading;
 use crate::output::note;
 use crate::progress::Progress;
 use crate::scene;
-use crate::values::whole;
+use impact_pair_answers::heading;
+use impact_pair_answers::values::whole;
 
 pub const HELP: &str = "\
 Examples:
@@ -130,7 +130,8 @@ pub fn trap(arguments: &TrapArguments) -> Result<Answer> {
     let entered = proved.document.entered_at_impact.is_none().then(|| entered(&proved.document));
     let open: Vec<String> = missing.into_iter().chain(entered).collect();
     let open = (!open.is_empty()).then(|| open.join("; "));
-    files.draw((&text, open, is_table), || impact_pair_plot::chaos::trap(&scene, &region, &arguments.drawing.look))
+    files
+        .draw((&text, open, is_table), || Some(impact_pair_plot::chaos::trap(&scene, &region, &arguments.drawing.look)))
 }
 
 impl Proved<'_> {

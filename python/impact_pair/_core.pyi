@@ -12,8 +12,8 @@ __all__ = [
     "Scene",
     "Sweep",
     "__version__",
+    "answer",
     "audit",
-    "bifurcations",
     "box_map",
     "bracket",
     "chaos",
@@ -24,10 +24,8 @@ __all__ = [
     "description_lines",
     "flights",
     "global_analysis",
-    "manifold",
     "outward",
     "paper",
-    "periodic",
     "plot",
     "prove",
     "read_orbit",
@@ -35,7 +33,6 @@ __all__ = [
     "tangency",
     "trade",
     "trap",
-    "two_impact",
     "windows",
 ]
 __version__: str
@@ -104,22 +101,9 @@ def box_map(scene: Scene, rects: bytes, columns: int, progress: _Progress) -> li
 def outward(bounds: list[tuple[str, str]]) -> bytes: ...
 def bracket(lower: str, upper: str) -> str: ...
 def plot(scene: Scene, panels: str, cycles: tuple[int, int], requested: _Requested, progress: _Progress) -> tuple[str, bool, bool, str]: ...
-def periodic(
-    scene: Scene, question: tuple[str, int, bool], requested: tuple[int | None, int], progress: _Progress
-) -> tuple[str, bool, bool]: ...
-def bifurcations(
-    scene: Scene, question: tuple[str, int, str, int], requested: tuple[int | None, int], progress: _Progress
-) -> tuple[str, bool, bool]: ...
-def two_impact(
-    scene: Scene, cycles: tuple[int, int], question: tuple[str, str], requested: int | None, progress: _Progress
-) -> tuple[list[str], bool, bool]: ...
-def manifold(
-    scene: Scene,
-    cycles: tuple[int, int],
-    question: tuple[str, str, str, int],
-    requested: tuple[str, int | None, bool],
-    progress: _Progress,
-) -> tuple[str, bool, bool, str | None]: ...
+def answer(
+    scene: Scene, name: str, question: tuple[str, str], picture: bool, progress: _Progress
+) -> tuple[str, bool, bool, str | None, str]: ...
 def trap(scene: Scene, question: tuple[str, int | None, bool], progress: _Progress) -> tuple[str | None, bool, bool, str | None]: ...
 def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[str, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
 def tangency(

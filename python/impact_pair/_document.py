@@ -19,8 +19,11 @@ if TYPE_CHECKING:
 class Document:
     """An answer: the document that the command line writes with ``--format json``, and whether it is complete."""
 
-    def __init__(self, text: str, complete: bool | None = None, interrupted: bool = False, svg: str | None = None) -> None:
+    def __init__(
+        self, text: str, complete: bool | None = None, interrupted: bool = False, svg: str | None = None, status: str | None = None
+    ) -> None:
         self._text = text
+        self._status = status
         self._complete = complete
         self._interrupted = interrupted
         self._svg = svg
@@ -47,6 +50,11 @@ class Document:
     def interrupted(self) -> bool:
         """True if Ctrl-C ended the computation: the document has what was proved until then."""
         return self._interrupted
+
+    @property
+    def status(self) -> str | None:
+        """How much of what was requested is certified, and which keyword is known to help; ``None`` for a document that was read."""
+        return self._status
 
     @property
     def svg(self) -> str | None:
@@ -78,7 +86,7 @@ class Document:
         return check(self.json(), effort=effort)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.json(), self._complete, self._interrupted, self._svg)
+        return type(self), (self.json(), self._complete, self._interrupted, self._svg, self._status)
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(repr(self))}</pre>"

@@ -7,11 +7,12 @@ import json
 import os
 import re
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from . import _core, answers
+from ._document import Document
 from ._exact import IMPACTS, Number, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
 from ._file import read
 from ._grid import spaced
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     import numpy.typing as npt
+
+Answer = TypeVar("Answer", bound=Document)
 
 #: Default maximum precision of an orbit, in bits.
 MAX_BITS = 1_000_000
@@ -159,6 +162,23 @@ class Scene:
         tables = {"excitation": found["excitation"], "pair": {"gap": found["gap"], "restitution": found["restitution"]}}
         run = dict(zip(TABLES["run"], self._core.run(), strict=True))
         return Scene.from_dict({"title": self.title, **tables, "start": found["start"], "run": run})
+
+    def _answer(
+        self,
+        kind: type[Answer],
+        verb: str,
+        options: Mapping[str, Any],
+        unit: str,
+        total: int | None = None,
+        *,
+        picture: bool = False,
+        progress: Progress = None,
+        keep_partial: bool = False,
+    ) -> Answer:
+        """Return the answer of a verb; options are those of the command line, None is their default."""
+        question = json.dumps({key.replace("_", "-"): value for key, value in options.items()})
+        with reporting(progress, unit, total) as report:
+            return kept(kind(*_core.answer(self._core, self._path, (verb, question), picture, report)), keep_partial)
 
     def run(
         self,
@@ -391,9 +411,10 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
-        with reporting(progress, "cells") as report:
-            question = (string("word", word), whole("cycles", cycles), all)
-            return kept(answers.Periodic(*_core.periodic(self._core, question, narrow(digits, max_bits), report)), keep_partial)
+        options: dict[str, Any] = {"word": string("word", word), "cycles": whole("cycles", cycles), "all": bool(all)} | narrow(
+            digits, max_bits
+        )
+        return self._answer(answers.Periodic, "periodic", options, "cells", progress=progress, keep_partial=keep_partial)
 
     def two_impact(
         self,
@@ -409,12 +430,10 @@ class Scene:
 
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
-        with reporting(progress, "cycles") as report:
-            documents, complete, interrupted = _core.two_impact(
-                self._core, both_ends("cycles", cycles), (wall, solve_for), optional_whole("digits", digits), report
-            )
-        found = [answers.Periodic(document, complete, interrupted) for document in documents]
-        return kept(found, keep_partial) if isinstance(cycles, tuple) else kept(found[0], keep_partial)
+        low, high = both_ends("cycles", cycles)
+        options = {"cycles": f"{low}..{high}", "wall": wall, "solve_for": solve_for, "digits": optional_whole("digits", digits)}
+        found = self._answer(answers.TwoImpact, "two-impact", options, "cycles", progress=progress, keep_partial=True)
+        return kept(found.each if isinstance(cycles, tuple) else found.each[0], keep_partial)
 
     def manifold(
         self,
@@ -429,10 +448,11 @@ class Scene:
     ) -> answers.Manifold:
         """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
         key, (low, high, count) = grid(over, '{"frequency": (1, 60, 200)}')
-        question = (key, low, high, count)
-        how = (wall, optional_whole("digits", digits), picture)
-        with reporting(progress, "points") as report:
-            return kept(answers.Manifold(*_core.manifold(self._core, both_ends("cycles", cycles), question, how, report)), keep_partial)
+        first, last = both_ends("cycles", cycles)
+        options: dict[str, Any] = {"manifold": f"{key}={low}..{high}:{count}", "cycles": f"{first}..{last}", "wall": wall}
+        options |= {"digits": optional_whole("digits", digits)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Manifold, "two-impact", options, "points", **how)
 
     def bifurcations(
         self,
@@ -447,9 +467,9 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
-        question = (string("word", word), whole("cycles", cycles), ranged(over), whole("doublings", doublings))
-        with reporting(progress, "steps") as report:
-            return kept(answers.Bifurcations(*_core.bifurcations(self._core, question, narrow(digits, max_bits), report)), keep_partial)
+        options: dict[str, Any] = {"word": string("word", word), "cycles": whole("cycles", cycles), "over": ranged(over)}
+        options |= {"doublings": whole("doublings", doublings)} | narrow(digits, max_bits)
+        return self._answer(answers.Bifurcations, "bifurcations", options, "steps", progress=progress, keep_partial=keep_partial)
 
     def trap(
         self,
@@ -641,7 +661,12 @@ class Scene:
         requested = (text("tolerance", tolerance), optional("until", until))
         try:
             with reporting(progress, "impacts") as report:
-                return kept(answers.Audit(*_core.audit(self._core, listed, requested, narrow(digits, max_bits), report)), keep_partial)
+                return kept(
+                    answers.Audit(
+                        *_core.audit(self._core, listed, requested, (optional_whole("digits", digits), whole("max_bits", max_bits)), report)
+                    ),
+                    keep_partial,
+                )
         except ListError as error:
             # Not the options of the command line, but the keyword.
             said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))
@@ -703,16 +728,16 @@ def both_ends(key: str, counts: int | tuple[int, int]) -> tuple[int, int]:
     return count, count
 
 
-def narrow(digits: int | None, max_bits: int) -> tuple[int | None, int]:
+def narrow(digits: int | None, max_bits: int) -> dict[str, Any]:
     """Return the requested digits and the greatest number of bits, as integers."""
-    return optional_whole("digits", digits), whole("max_bits", max_bits)
+    return {"digits": optional_whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
 
 
 def requested_of(
-    impacts: int | None, until: Value | None, narrowness: tuple[int | None, int], arithmetic: str | int, splice: int
+    impacts: int | None, until: Value | None, narrowness: dict[str, Any], arithmetic: str | int, splice: int
 ) -> tuple[int | None, str | None, int | None, str, int, int]:
     """Return the request of an orbit, as the compiled module takes it."""
-    digits, max_bits = narrowness
+    digits, max_bits = narrowness.values()
     return impacts, optional("until", until), digits, arithmetic_of(arithmetic), whole("splice", splice, IMPACTS), max_bits
 
 

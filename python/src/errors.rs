@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 use impact_pair::{Error, ErrorKind};
+use impact_pair_answers::Failure;
 use pyo3::prelude::*;
 
 /// An error of a computation: a question that is refused, or a text that does not read as what it should be.
@@ -18,7 +19,25 @@ impl From<Error> for Fault {
     }
 }
 
+/// Options are keywords.
+impl From<Failure> for Fault {
+    fn from(failure: Failure) -> Self {
+        let keyword = |option: &str| option.replace('-', "_");
+        match failure {
+            Failure::Scene(error) => Self::Ours(error),
+            Failure::Option { option, value, error } => Self::keyed(*error, &keyword(&option), &value),
+            Failure::Value { option, value, accepted } => Self::range(&keyword(&option), value, &accepted),
+            Failure::Question(message) => Self::Said { class: "RangeError", message, key: None, value: None },
+        }
+    }
+}
+
 impl Fault {
+    /// An error of the library among others.
+    pub fn of(error: anyhow::Error) -> Self {
+        error.downcast::<Error>().map_or_else(Self::other, Self::Ours)
+    }
+
     /// A keyword whose value is not accepted.
     pub fn range(key: &str, value: impl Display, accepted: &str) -> Self {
         let (message, value) = (format!("{key} is {value}, but {accepted}"), Some(value.to_string()));

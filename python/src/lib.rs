@@ -2,6 +2,7 @@
 //! bytes of doubles out. Arguments are checked as by the command line; the library computes. All types and
 //! the documentation for people are in the package above it.
 
+mod answer;
 mod atlas;
 mod box_map;
 mod chaos;
@@ -24,6 +25,8 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use super::answer::answer;
+    #[pymodule_export]
     use super::atlas::Atlas;
     #[pymodule_export]
     use super::box_map::box_map;
@@ -44,7 +47,7 @@ mod _core {
     #[pymodule_export]
     use super::sweep::Sweep;
     #[pymodule_export]
-    use super::verbs::{audit, bifurcations, check, manifold, periodic, prove, trade, two_impact};
+    use super::verbs::{audit, check, prove, trade};
 
     #[pymodule_init]
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {

@@ -1,19 +1,11 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
 use impact_pair::audit::{Audit, AuditSettings, Column, Columns, read};
-use impact_pair::exact::Exact;
 use impact_pair::json::one_a_line;
-use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
-use impact_pair::pair::Wall;
-use impact_pair::periodic::bifurcation::{self, DiagramSettings, survey};
-use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::periodic::{Budget, Precision, Problem};
+use impact_pair::periodic::Precision;
 use impact_pair::scene::{DIGITS, Run};
 use impact_pair::trade::Trade;
-use impact_pair::two_impact::{Axis, COUNTS, CYCLES, Problem as TwoImpactProblem, Range, Unknown, speed};
-use impact_pair::units::Units;
-use impact_pair::watch::Watch;
 use impact_pair_certificate::{Certificate, Claims, Verdict};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
@@ -42,127 +34,6 @@ pub fn digits(requested: Option<u32>, scene: &impact_pair::Scene) -> Result<u32,
 
 pub fn precision((requested, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
     Ok(Precision { digits: digits(requested, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
-}
-
-fn side(wall: &str) -> Result<Wall, Fault> {
-    let found = [Wall::Left, Wall::Right].into_iter().find(|side| side.name() == wall);
-    found.ok_or_else(|| Fault::range("wall", wall, "must be \"left\" or \"right\""))
-}
-
-/// The periodic orbits of a word.
-#[pyfunction]
-pub fn periodic(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (String, u32, bool),
-    requested: (Option<u32>, u32),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Answer> {
-    let (word, cycles, all) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
-        let problem = Problem::new(scene.pair(), &word, accepted("cycles", cycles, 1..=MOST_CYCLES)?)?;
-        let units = Units::gaps(problem.pair())?;
-        let precision = precision(requested, &scene)?;
-        let census = match all {
-            true => problem.find_all_while(scene.start(), precision, Budget::default(), monitor),
-            false => problem.find_while(scene.start(), precision, monitor),
-        };
-        let document = units.document(&problem, scene.start(), &census);
-        Ok((text(&document), census.is_certified(), monitor.is_stopped()))
-    })
-}
-
-/// The bifurcations of a word's orbits over `KEY=LO..HI`.
-#[pyfunction]
-pub fn bifurcations(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (String, u32, String, u32),
-    requested: (Option<u32>, u32),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Answer> {
-    let (word, cycles, over, doublings) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let word: Word = word.parse().map_err(|error| Fault::keyed(error, "word", &word))?;
-        let over = bifurcation::over(&over).map_err(|error| Fault::keyed(error, "over", &over))?;
-        let cycles = accepted("cycles", cycles, 1..=MOST_CYCLES)?;
-        let doublings = accepted("doublings", doublings, 0..=8)?;
-        let diagram_settings = DiagramSettings { over, doublings, precision: precision(requested, &scene)? };
-        let diagram = survey(scene.pair(), scene.start(), (&word, cycles), &diagram_settings, monitor)?;
-        let document = diagram.document(scene.start(), (&word, cycles))?;
-        Ok((text(&document), diagram.is_certified(), monitor.is_stopped()))
-    })
-}
-
-/// The motions with two impacts in each number of cycles from `cycles.0` to `cycles.1`: a document each.
-#[pyfunction]
-pub fn two_impact(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    cycles: (u32, u32),
-    question: (String, String),
-    requested: Option<u32>,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<(Vec<String>, bool, bool)> {
-    let (wall, solve_for) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let unknown = match solve_for.as_str() {
-            "velocity" => Unknown::Velocity,
-            "amplitude" => Unknown::Amplitude(speed(&scene)?),
-            "gap" => Unknown::Gap(speed(&scene)?),
-            other => return Err(Fault::range("solve_for", other, "must be velocity, amplitude or gap")),
-        };
-        let (wall, digits, cycles) = (side(&wall)?, digits(requested, &scene)?, all_cycles(cycles)?);
-        let (mut documents, mut complete) = (Vec::new(), true);
-        for cycles in cycles {
-            if !monitor.goes_on() && !documents.is_empty() {
-                return Ok((documents, false, true));
-            }
-            let answer = TwoImpactProblem::new(scene.pair(), cycles, unknown.clone())?.answer_within(digits, monitor);
-            documents.push(text(&answer.document(scene.start(), wall)));
-            complete &= answer.is_complete;
-        }
-        Ok((documents, complete, !complete && monitor.is_stopped()))
-    })
-}
-
-fn all_cycles((low, high): (u32, u32)) -> Result<std::ops::RangeInclusive<u32>, Fault> {
-    let ends = [accepted("cycles", low, CYCLES)?, accepted("cycles", high, CYCLES)?];
-    if low <= high { Ok(ends[0]..=ends[1]) } else { Err(Fault::range("cycles", low, "must not be after the last one")) }
-}
-
-/// The parameter manifolds of figures 10 and 11 over `frequency` or `velocity`: first and last value, number of points; with their picture if requested.
-#[pyfunction]
-pub fn manifold(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    cycles: (u32, u32),
-    question: (String, String, String, usize),
-    requested: (String, Option<u32>, bool),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Drawn> {
-    let (key, from, to, count) = question;
-    let (wall, requested, picture) = requested;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let (axis, speed) = match key.as_str() {
-            "frequency" => (Axis::Frequency, speed(&scene)?),
-            // Not used.
-            "velocity" => (Axis::Velocity(side(&wall)?), Exact::from(0)),
-            other => return Err(Fault::range("over", other, "must be frequency or velocity")),
-        };
-        let (from, to, count) = (point("from", &from)?, point("to", &to)?, accepted("count", count, COUNTS)?);
-        let range = Range { pair: scene.pair(), speed, axis, from, to, count };
-        let (curves, went_on) = range.manifolds(all_cycles(cycles)?, digits(requested, &scene)?, monitor)?;
-        let document = range.document(scene.start(), &curves, !went_on);
-        let svg = || drawn(impact_pair_plot::two_impact::svg(&scene, axis, &curves, None, &Look::default()));
-        let svg = (picture && !curves.is_empty()).then(svg).transpose()?;
-        Ok((one_a_line(&document, &["curves", "points"]), went_on, !went_on, svg))
-    })
 }
 
 /// The cost of accuracy on a scene.

@@ -125,7 +125,7 @@ CRATES = {"src": "impact-pair", "cli": "impact-pair-cli", "fuzz": "impact-pair-f
           **{f"crates/{name}": f"impact-pair-{name}" for name in ("certificate", "document", "exact", "model", "plot")}}
 LIBRARY = {"src", "crates/exact", "crates/model"}
 CHECKER = {"crates/certificate", "crates/document", "crates/exact", "crates/model"}
-COMMANDS = {"cli", "crates/plot", "docs/schemas", *CHECKER, *LIBRARY}
+COMMANDS = {"cli", "crates/answers", "crates/plot", "docs/schemas", *CHECKER, *LIBRARY}
 PYTHON = "validation/scripts/venv target/python-venv python/requirements.txt && PATH=$PWD/target/python-venv/bin:$PATH && ruff check --quiet python && ruff format --quiet --check python && cd python && mypy"
 
 

@@ -11,7 +11,7 @@ use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
 use crate::grid::GridArguments;
-use crate::values::{digits, whole};
+use impact_pair_answers::values::{digits, whole};
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \

@@ -47,5 +47,5 @@ pub fn draw(atlas: &mut Gathered<AtlasHead>, mut out: Output, path: &Path, look:
         out.write_all(html(atlas)?.as_bytes())?;
         return out.commit();
     }
-    out.draw(path, look, || svg(atlas, look))
+    out.draw(path, look, svg(atlas, look))
 }

@@ -64,7 +64,7 @@ pub struct AuditArguments {
     tolerance: Exact,
     /// Compare up to this time: the list must contain every certified impact before T, later rows are ignored. Impacts within the tolerance
     /// of T may be missing where a later row is ignored [default: the last time listed]
-    #[arg(long, value_name = "T", value_parser = crate::values::point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = impact_pair_answers::values::point, allow_hyphen_values = true)]
     until: Option<Exact>,
     /// The column of times, by its name or its number from 1 [default: time or t, or the first one]
     #[arg(long, value_name = "NAME|N")]
@@ -80,10 +80,10 @@ pub struct AuditArguments {
     #[arg(long, conflicts_with = "velocity_column")]
     no_velocity: bool,
     /// Digits of the certified orbit, relative as --tolerance [default: three more than the tolerance has]
-    #[arg(long, value_name = "D", value_parser = crate::values::digits())]
+    #[arg(long, value_name = "D", value_parser = impact_pair_answers::values::digits())]
     digits: Option<u32>,
     /// Maximum precision of the certified orbit, in bits
-    #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = crate::values::bits())]
+    #[arg(long, default_value_t = MAX_BITS, value_name = "BITS", value_parser = impact_pair_answers::values::bits())]
     max_bits: u32,
     /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]
@@ -124,7 +124,7 @@ impl AuditArguments {
 
 /// Reads a tolerance.
 fn tolerance(text: &str) -> Result<Exact, String> {
-    let tolerance = crate::values::point(text)?;
+    let tolerance = impact_pair_answers::values::point(text)?;
     let (low, high) = tolerance.enclose(64).to_f64_bounds();
     if low >= 0.0 && high <= 1.0 { Ok(tolerance) } else { Err("accepted is a number from 0 to 1".into()) }
 }

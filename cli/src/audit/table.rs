@@ -7,7 +7,7 @@ use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::json::counted;
 use impact_pair::scales::Unit;
 
-use crate::heading::heading;
+use impact_pair_answers::heading;
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
 const MAX_ROWS: usize = 10;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use clap::Args;
 
-use crate::values::whole;
+use impact_pair_answers::values::whole;
 
 /// The points to compute, and the number of threads.
 #[derive(Args, Debug)]

@@ -10,7 +10,7 @@ use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use crate::values::{ARITHMETICS, bits, count, digits, point, whole, window};
+use impact_pair_answers::values::{ARITHMETICS, bits, count, digits, point, whole, window};
 
 pub const HELP: &str = "\
 Examples:

@@ -24,7 +24,7 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let progress = Progress::new(settings.impacts, visible);
     let (svg, ending) = figure.draw(&scene, (orbit, &settings), &progress);
     progress.clear();
-    out.draw(&arguments.output, &arguments.look, || svg)?;
+    out.draw(&arguments.output, &arguments.look, svg)?;
     note(quiet, &ending.to_string());
     Ok(if ending.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }

@@ -55,21 +55,21 @@ pub struct SweepArguments {
     #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
     pub over: Vec<Range>,
     /// Number of impacts in the transient, which are certified but not written
-    #[arg(long, value_name = "N", default_value_t = 500, value_parser = crate::values::count(0..=MOST_IMPACTS))]
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = impact_pair_answers::values::count(0..=MOST_IMPACTS))]
     pub transient: u64,
     /// Number of impacts after the transient
-    #[arg(long, value_name = "M", default_value_t = 300, value_parser = crate::values::count(1..=MOST_IMPACTS))]
+    #[arg(long, value_name = "M", default_value_t = 300, value_parser = impact_pair_answers::values::count(1..=MOST_IMPACTS))]
     pub impacts: u64,
     /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W: finer
     /// than any picture
-    #[arg(long, value_name = "D", default_value_t = 6, value_parser = crate::values::digits())]
+    #[arg(long, value_name = "D", default_value_t = 6, value_parser = impact_pair_answers::values::digits())]
     pub digits: u32,
     /// The arithmetic, as in run; shadow, the fastest for pictures of chaos, is used only at points whose exact orbits doubles do not
     /// certify
-    #[arg(long, value_name = crate::values::ARITHMETICS, default_value_t)]
+    #[arg(long, value_name = impact_pair_answers::values::ARITHMETICS, default_value_t)]
     pub arithmetic: Arithmetic,
     /// Maximum precision of auto, in bits; enough for 100,000 chaotic impacts, and low enough that no point takes minutes to end undecided
-    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = crate::values::bits())]
+    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = impact_pair_answers::values::bits())]
     pub max_bits: u32,
     /// Write no impacts, only the result of each point
     #[arg(long)]
@@ -92,7 +92,7 @@ pub struct SweepArguments {
     #[arg(long, value_enum, default_value_t, requires = "plot")]
     pub show: Show,
     /// Range of the vertical axis of the diagram
-    #[arg(long, value_name = "LO..HI", value_parser = crate::values::window, requires = "plot", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO..HI", value_parser = impact_pair_answers::values::window, requires = "plot", allow_hyphen_values = true)]
     pub within: Option<[f64; 2]>,
     #[command(flatten)]
     pub destination: Destination,

@@ -114,9 +114,11 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
     }
     out.commit()?;
     if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?.draw(path, &arguments.look, || {
-            impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look)
-        })?;
+        Output::open(Some(path))?.draw(
+            path,
+            &arguments.look,
+            impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look),
+        )?;
     }
     Ok(tally)
 }

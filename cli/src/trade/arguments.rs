@@ -38,10 +38,10 @@ pub struct TradeArguments {
     /// Scene file (TOML), or - for stdin
     pub scene: PathBuf,
     /// Stop each row after N impacts [default: that of the scene; 100 if the scene has no stop time either]
-    #[arg(long, value_name = "N", value_parser = crate::values::count(1..=u64::MAX))]
+    #[arg(long, value_name = "N", value_parser = impact_pair_answers::values::count(1..=u64::MAX))]
     impacts: Option<u64>,
     /// Maximum precision of a row, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = crate::values::bits())]
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = impact_pair_answers::values::bits())]
     pub max_bits: u32,
     /// Output format [default: by the extension of --output, else table]
     #[arg(long, value_enum)]

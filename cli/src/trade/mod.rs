@@ -31,5 +31,5 @@ pub fn trade(arguments: &TradeArguments) -> Result<Answer> {
         TradeFormat::Json => format!("{}\n", one_a_line(&trade.document(), &["arithmetics"])),
     };
     let open = trade.interrupted.as_ref().map(|arithmetic| format!("interrupted in row {arithmetic}"));
-    files.draw((&text, open, false), || impact_pair_plot::trade::svg(&trade, &arguments.drawing.look))
+    files.draw((&text, open, false), || Some(impact_pair_plot::trade::svg(&trade, &arguments.drawing.look)))
 }

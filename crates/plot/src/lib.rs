@@ -45,3 +45,23 @@ mod tolerances;
 pub mod trade;
 pub mod two_impact;
 pub mod windows;
+
+use anyhow::Result;
+use impact_pair_answers::{Answer, Bifurcations, Periodic};
+
+use picture::Look;
+
+/// An answer that may have a picture.
+pub trait Pictured: Answer {
+    /// The picture as SVG; `None` where there is nothing to draw.
+    ///
+    /// # Errors
+    /// If a value exceeds the range of what is drawn.
+    fn svg(&self, _look: &Look) -> Option<Result<String>> {
+        None
+    }
+}
+
+impl Pictured for Periodic<'_> {}
+
+impl Pictured for Bifurcations<'_> {}

@@ -3,7 +3,7 @@
 from .audits import Audit, decimal, heading, listing
 from .descriptions import Description, Picture, Trade
 from .manifolds import Beside, Curve, Manifold, Tangencies, Tangency
-from .orbits import Bifurcation, Bifurcations, Cycles, Periodic, PeriodicOrbit, Window, Windows
+from .orbits import Bifurcation, Bifurcations, Cycles, Periodic, PeriodicOrbit, TwoImpact, Window, Windows
 from .regions import Basin, Chaos, ChaosCells, Component, GlobalAnalysis, Trap, percent
 
 __all__ = [
@@ -27,6 +27,7 @@ __all__ = [
     "Tangency",
     "Trade",
     "Trap",
+    "TwoImpact",
     "Window",
     "Windows",
     "decimal",

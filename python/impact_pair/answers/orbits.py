@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -138,6 +139,18 @@ class Periodic(Document):
         rest = "proved to be all without sticking" if self.exhaustive else "others are not excluded"
         lines = [f"{self.word} in {self.cycles} cycles: {len(self)} orbits, {rest}", *map(repr, self)]
         return "\n".join(lines)
+
+
+class TwoImpact(Document):
+    """The motions with two impacts in each of one or several N."""
+
+    @property
+    def each(self) -> list[Periodic]:
+        """An answer for each N."""
+        found = json.loads(self.json())
+        documents = found if isinstance(found, list) else [found]
+        about = (self.complete, self.interrupted, None, self.status)
+        return [Periodic(json.dumps(document, ensure_ascii=False), *about) for document in documents]
 
 
 class Cycles(Document):

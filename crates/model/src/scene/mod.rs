@@ -73,6 +73,11 @@ impl Run {
 }
 
 impl Scene {
+    /// A scene that stands in no file.
+    pub fn new(pair: ImpactPair, start: Start) -> Self {
+        Self { title: None, pair, start, run: Run::default(), places: Vec::new() }
+    }
+
     /// Reads a scene file.
     ///
     /// # Errors

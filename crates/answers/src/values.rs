@@ -13,7 +13,7 @@ use impact_pair::scene::DIGITS;
 pub const ARITHMETICS: &str = "auto|float|interval|inari|shadow|BITS";
 
 /// How narrow enclosures are requested. What their widths are relative to, each verb says by `mut_arg("digits", ..)`.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct PrecisionArguments {
     /// Requested width of enclosures, at most 10^-D
     #[arg(long, value_name = "D", value_parser = digits())]

@@ -1,0 +1,121 @@
+//! Verbs that answer with one document: their scene, format, output and picture.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Error, Result, anyhow, bail};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Args, ValueEnum};
+use impact_pair_answers::{Answer, Asked, Failure, Format, Verb};
+use impact_pair_plot::Pictured;
+use impact_pair_plot::picture::Look;
+
+use crate::destination::{Destination, Drawing};
+use crate::output::note;
+use crate::progress::Progress;
+use crate::{Answer as Exit, ending, scene};
+
+/// Arguments of a verb.
+#[derive(Args, Debug)]
+#[command(mut_args(drawn::<V>))]
+pub struct Arguments<V: Verb, O: Outputs<V>> {
+    /// Scene file (TOML), or - for stdin
+    scene: PathBuf,
+    #[command(flatten)]
+    options: V,
+    #[arg(long, help = V::FORMAT, value_name = "FORMAT", value_parser = formats::<V>())]
+    format: Option<Format>,
+    #[command(flatten)]
+    outputs: O,
+}
+
+/// The argument, where it draws a picture with what the picture of this verb shows.
+fn drawn<V: Verb>(argument: Arg) -> Arg {
+    if argument.get_id() == "plot" { argument.help(V::PICTURE) } else { argument }
+}
+
+/// Reads one of the formats of a verb.
+fn formats<V: Verb>() -> impl TypedValueParser<Value = Format> {
+    let all = V::FORMATS.iter().filter_map(|(format, help)| Some(format.to_possible_value()?.help(*help)));
+    PossibleValuesParser::new(all).map(|name| Format::from_str(&name, false).expect("one of them"))
+}
+
+/// The outputs of a verb.
+pub trait Outputs<V: Verb>: Args {
+    /// Where the document goes.
+    fn destination(&self) -> &Destination;
+
+    /// Where the picture goes, and how it looks.
+    fn plot(&self) -> Option<(&Path, &Look)>;
+
+    /// The picture of an answer.
+    fn svg(&self, answer: &V::Answer<'_>) -> Option<Result<String>>;
+}
+
+impl<V: Verb> Outputs<V> for Destination {
+    fn destination(&self) -> &Destination {
+        self
+    }
+
+    fn plot(&self) -> Option<(&Path, &Look)> {
+        None
+    }
+
+    fn svg(&self, _: &V::Answer<'_>) -> Option<Result<String>> {
+        None
+    }
+}
+
+impl<V: Verb> Outputs<V> for Drawing
+where
+    for<'s> V::Answer<'s>: Pictured,
+{
+    fn destination(&self) -> &Destination {
+        &self.destination
+    }
+
+    fn plot(&self) -> Option<(&Path, &Look)> {
+        self.plot.as_deref().map(|path| (path, &self.look))
+    }
+
+    fn svg(&self, answer: &V::Answer<'_>) -> Option<Result<String>> {
+        answer.svg(&self.look)
+    }
+}
+
+/// Answers a verb.
+pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit> {
+    let Arguments { scene: path, options, format, outputs } = arguments;
+    let destination = outputs.destination();
+    let accepted: Vec<Format> =
+        V::FORMATS.iter().map(|(format, _)| *format).filter(|format| options.refuses(*format).is_none()).collect();
+    let format = ending::format(format, ("--output", destination.output.as_deref()), &accepted, accepted[0])?;
+    if let Some(why) = options.refuses(format) {
+        let name = format.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
+        bail!("--format is {name}, but {why}");
+    }
+    let scene = scene::read(&path)?;
+    let files = destination.open(&[&path], outputs.plot())?;
+    let named = |error: Error| if error.is::<impact_pair::Error>() { error.context(scene::name(&path)) } else { error };
+    let progress = Progress::counting(options.counts(&scene), !files.quiet);
+    let asked = Asked { scene: &scene, name: &path.display().to_string(), is_drawn: outputs.plot().is_some() };
+    let found = options.answer(&asked, &progress).map_err(|failure| placed(failure, &path))?;
+    progress.clear();
+    found.notes().iter().for_each(|line| note(files.quiet, line));
+    let status = found.status();
+    let open = (!status.is_complete()).then(|| status.to_string());
+    let Some(text) = found.text(format).map_err(named)? else {
+        note(files.quiet, &status.to_string());
+        return Ok(Exit::Incomplete);
+    };
+    let is_said = format.is_for_people() && open.as_ref().is_some_and(|open| text.contains(open));
+    files.draw((&text, open, is_said), || outputs.svg(&found))
+}
+
+/// The error with what it is about: an option, or else the scene.
+fn placed(failure: Failure, scene: &Path) -> Error {
+    match failure {
+        Failure::Scene(error) => Error::from(error).context(scene::name(scene)),
+        Failure::Option { option, value, error } => Error::from(*error).context(format!("--{option} {value}")),
+        Failure::Value { .. } | Failure::Question(_) => anyhow!("{failure}"),
+    }
+}

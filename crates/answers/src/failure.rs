@@ -1,0 +1,58 @@
+//! Questions that are refused.
+
+use impact_pair::scene::Range;
+use impact_pair::{Error, ErrorKind};
+use thiserror::Error as ThisError;
+
+/// Why a question has no answer: a value is not accepted.
+#[derive(Clone, Debug, ThisError)]
+pub enum Failure {
+    /// A value of the scene, or what the verb requires of the scene.
+    #[error("{0}")]
+    Scene(#[from] Error),
+    /// The value of an option, which reads as another thing than is accepted there.
+    #[error("{error}")]
+    Option {
+        /// Name of the option.
+        option: String,
+        /// Value of the option, as written.
+        value: String,
+        /// The error.
+        error: Box<Error>,
+    },
+    /// The value of an option, which is out of range.
+    #[error("{option} is {value}, but {accepted}")]
+    Value {
+        /// Name of the option.
+        option: String,
+        /// Value of the option, as written.
+        value: String,
+        /// What is accepted.
+        accepted: String,
+    },
+    /// The question is none: it is malformed, or an option is missing or unknown.
+    #[error("{0}")]
+    Question(String),
+}
+
+impl Failure {
+    /// The error of a computation over a range: of the range where the error names its key, else of the scene.
+    pub fn over(range: &Range) -> impl Fn(Error) -> Self {
+        move |error| match error.key() {
+            Some(key) if key.starts_with(&range.key().place()) => {
+                Self::Option { option: "over".to_owned(), value: range.to_string(), error: Box::new(error) }
+            }
+            _ => Self::Scene(error),
+        }
+    }
+
+    /// The error of a question whose scene is malformed.
+    pub(crate) fn malformed(what: impl std::fmt::Display) -> Self {
+        Self::Question(what.to_string())
+    }
+
+    /// True if a list of impacts is at fault.
+    pub fn is_of_list(&self) -> bool {
+        matches!(self, Self::Scene(error) if error.kind() == ErrorKind::List)
+    }
+}

@@ -1,0 +1,157 @@
+//! Verbs of the impact pair: their options, their answers as documents and tables, and what is left undecided.
+//!
+//! The command line, Python and a [`Question`] in JSON have the same options, values and refusals.
+//!
+//! ```
+//! use impact_pair::watch::Unwatched;
+//! use impact_pair_answers::{Answer, Asked, Format, PeriodicOptions, Question, Verb};
+//!
+//! let question = Question::read(r#"{
+//!     "verb": "periodic",
+//!     "scene": {"excitation": {"amplitude": ["1"], "frequency": ["pi"], "phase": ["0"]}, "gap": "9.42497",
+//!               "restitution": "0.5", "start": {"time": "0", "wall": "left", "velocity": "-12.56636"}},
+//!     "options": {"word": "RL", "cycles": 1}
+//! }"#)?;
+//! let options: PeriodicOptions = question.options()?;
+//! let found = options.answer(&Asked::of(&question.scene), &Unwatched)?;
+//! assert!(found.status().to_string().starts_with("certified: 1 orbit proved"));
+//! assert!(found.text(Format::Json).unwrap().unwrap().starts_with("{\"schema\":\"impact-pair/periodic/1\""));
+//! # Ok::<(), impact_pair_answers::Failure>(())
+//! ```
+
+mod bifurcations;
+mod failure;
+mod heading;
+mod periodic;
+mod question;
+mod status;
+mod two_impact;
+pub mod values;
+
+use anyhow::Result;
+use clap::ValueEnum;
+use impact_pair::Scene;
+use impact_pair::watch::Watch;
+
+pub use bifurcations::{BifurcationOptions, Bifurcations};
+pub use failure::Failure;
+pub use heading::{heading, pair_heading};
+pub use periodic::{Periodic, PeriodicOptions, physical, symmetric};
+pub use question::{Question, read_options};
+pub use status::{Status, Step};
+pub use two_impact::{TwoImpact, TwoImpactOptions};
+
+/// Options of a verb, which are its arguments on the command line and the keys of `options` in a [`Question`].
+pub trait Verb: clap::Args {
+    /// Name on the command line.
+    const NAME: &'static str;
+    /// Formats of the answer, the usual one first, each with its help.
+    const FORMATS: &'static [(Format, &'static str)];
+    /// Help of the option that chooses the format.
+    const FORMAT: &'static str;
+    /// Help of the option that draws a picture.
+    const PICTURE: &'static str = "";
+    /// The answer.
+    type Answer<'s>: Answer;
+
+    /// What the progress of the computation counts.
+    fn counts(&self, _scene: &Scene) -> Counts {
+        Counts::Stages
+    }
+
+    /// Answers the question, until the watch stops it; what is certified so far is kept.
+    ///
+    /// # Errors
+    /// If a value of the scene or of an option is not accepted.
+    fn answer<'s>(&self, asked: &Asked<'s>, watch: &dyn Watch) -> Result<Self::Answer<'s>, Failure>;
+
+    /// Formats that these options have no answer in: why, and those that are accepted.
+    fn refuses(&self, _format: Format) -> Option<&'static str> {
+        None
+    }
+}
+
+/// What a verb is asked about.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// Path of the scene, by which commands name it.
+    pub name: &'s str,
+    /// True if a picture is requested as well.
+    pub is_drawn: bool,
+}
+
+impl<'s> Asked<'s> {
+    /// A scene that stands in no file, without a picture.
+    pub fn of(scene: &'s Scene) -> Self {
+        Self { scene, name: "scene.toml", is_drawn: false }
+    }
+}
+
+/// The answer of a verb.
+pub trait Answer {
+    /// How much of what was requested is certified.
+    fn status(&self) -> Status;
+
+    /// The answer in a format; `None` where there is nothing to write.
+    ///
+    /// # Errors
+    /// If a value exceeds the range of exact expressions.
+    fn text(&self, format: Format) -> Result<Option<String>>;
+
+    /// Remarks that no format holds.
+    fn notes(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// Formats of answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Lines in columns.
+    Table,
+    /// Lines for people.
+    Text,
+    /// A document.
+    Json,
+    /// One row a line, bounds in columns.
+    Csv,
+    /// A graph in GraphML.
+    Graphml,
+    /// A graph in the language of Graphviz.
+    Dot,
+}
+
+impl Format {
+    /// True if people read it: then it says itself what is undecided.
+    pub fn is_for_people(self) -> bool {
+        matches!(self, Self::Table | Self::Text)
+    }
+}
+
+/// Formats of periodic orbits, and of all verbs with these two.
+const TABLE_OR_JSON: &[(Format, &str)] = &[
+    (Format::Table, "Human-readable: the certain digits, then the last digits of both bounds"),
+    (Format::Json, "One document of the schema named above"),
+];
+
+/// What progress counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counts {
+    /// What each stage counts.
+    Stages,
+    /// Cells of the state space.
+    Cells,
+    /// Cells of the range of a parameter, of which there are this many.
+    Parameters(u32),
+    /// Impacts, up to this one if it is known.
+    Impacts(Option<u64>),
+    /// Nothing: this is what is done.
+    Nothing(&'static str),
+}
+
+/// A document in one line.
+fn line(document: &impl serde::Serialize) -> Result<String> {
+    Ok(serde_json::to_string(document)? + "\n")
+}

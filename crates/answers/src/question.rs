@@ -1,0 +1,178 @@
+//! Questions in JSON: a verb, a scene as in documents, and options as on the command line.
+
+use std::error::Error as _;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, ArgAction, Command};
+use impact_pair::json::SceneDocument;
+use impact_pair::{Error, Scene};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use crate::{Failure, Verb};
+
+/// A question: what a verb is asked about a scene.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Name of the verb.
+    pub verb: String,
+    /// The scene.
+    pub scene: Scene,
+    options: Map<String, Value>,
+}
+
+/// A question as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct QuestionDocument {
+    verb: String,
+    scene: SceneDocument,
+    #[serde(default)]
+    options: Map<String, Value>,
+}
+
+impl Question {
+    /// Reads `{"verb": .., "scene": {..}, "options": {..}}`.
+    ///
+    /// # Errors
+    /// If it is malformed, or a value of the scene is not accepted.
+    pub fn read(text: &str) -> Result<Self, Failure> {
+        let QuestionDocument { verb, scene, options } = serde_json::from_str(text).map_err(Failure::malformed)?;
+        let (pair, start) = scene.model()?;
+        Ok(Self { verb, scene: Scene::new(pair, start), options })
+    }
+
+    /// The options, those that are not given by default.
+    ///
+    /// # Errors
+    /// If one of them is unknown, missing or not accepted.
+    pub fn options<V: Verb>(&self) -> Result<V, Failure> {
+        read_options(&self.options)
+    }
+}
+
+/// Reads options by the arguments of the command line: both have one syntax, one range of values and one refusal.
+///
+/// # Errors
+/// If an option is unknown, missing or not accepted.
+pub fn read_options<V: Verb>(options: &Map<String, Value>) -> Result<V, Failure> {
+    let bare = Command::new(V::NAME).no_binary_name(true).disable_help_flag(true).disable_version_flag(true);
+    let command = V::augment_args(bare);
+    let mut words = Vec::new();
+    let mut positional = Vec::new();
+    for (name, value) in options {
+        let known = command.get_arguments().find(|argument| name_of(argument) == *name);
+        let argument = known.ok_or_else(|| unknown(&command, name))?;
+        let is_switch = matches!(argument.get_action(), ArgAction::SetTrue);
+        match value {
+            Value::Null | Value::Bool(false) if is_switch || value.is_null() => {}
+            Value::Bool(true) if is_switch => words.push(format!("--{name}")),
+            _ if is_switch || value.is_boolean() => {
+                let accepted = if is_switch { "accepted is true or false" } else { "accepted is a number or a text" };
+                return Err(refused(name, &value.to_string(), accepted));
+            }
+            _ if argument.is_positional() => positional.push(text(value)),
+            _ => words.push(format!("--{name}={}", text(value))),
+        }
+    }
+    if !positional.is_empty() {
+        words.push("--".to_owned());
+    }
+    let matches = command.try_get_matches_from(words.into_iter().chain(positional)).map_err(|error| failure(&error))?;
+    V::from_arg_matches(&matches).map_err(|error| failure(&error))
+}
+
+/// The name of an argument in JSON: that of its option, or of the place of a positional one.
+fn name_of(argument: &Arg) -> String {
+    argument.get_long().map_or_else(|| argument.get_id().to_string(), str::to_owned)
+}
+
+/// The value as it would be typed; a list or an object as its own JSON.
+fn text(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
+fn refused(option: &str, value: &str, accepted: &str) -> Failure {
+    Failure::Value { option: option.to_owned(), value: value.to_owned(), accepted: accepted.to_owned() }
+}
+
+fn unknown(command: &Command, name: &str) -> Failure {
+    let names: Vec<String> = command.get_arguments().map(name_of).collect();
+    let verb = command.get_name();
+    Failure::Question(format!("{name} is not an option of {verb}: accepted are {}", names.join(", ")))
+}
+
+/// The refusal of the parser of the command line, in terms of options and values.
+fn failure(error: &clap::Error) -> Failure {
+    let named = |kind| match error.get(kind) {
+        Some(ContextValue::String(one)) => one.clone(),
+        Some(ContextValue::Strings(all)) => all.join(", "),
+        _ => String::new(),
+    };
+    // `--words <N>`
+    let argument = named(ContextKind::InvalidArg);
+    let option = argument.trim_start_matches("--").split([' ', '=']).next().unwrap_or_default().to_owned();
+    let value = named(ContextKind::InvalidValue);
+    match error.kind() {
+        ErrorKind::MissingRequiredArgument => Failure::Question(format!("{option} is missing")),
+        ErrorKind::ArgumentConflict => {
+            let other = named(ContextKind::PriorArg);
+            let other = other.trim_start_matches("--").split(' ').next().unwrap_or_default().to_owned();
+            Failure::Question(format!("{option} and {other} exclude one another"))
+        }
+        ErrorKind::InvalidValue => refused(&option, &value, &format!("accepted is {}", named(ContextKind::ValidValue))),
+        _ => match error.source() {
+            Some(source) => match source.downcast_ref::<Error>() {
+                Some(error) => Failure::Option { option, value, error: Box::new(error.clone()) },
+                None => refused(&option, &value, &source.to_string()),
+            },
+            None => Failure::Question(error.to_string()),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::read_options;
+    use crate::{BifurcationOptions, Failure, PeriodicOptions, TwoImpactOptions, Verb};
+
+    fn options<V: Verb>(options: &Value) -> Result<V, Failure> {
+        read_options(options.as_object().unwrap())
+    }
+
+    fn refusal<V: Verb + std::fmt::Debug>(given: Value) -> String {
+        options::<V>(&given).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn options_are_numbers_texts_or_switches() {
+        let found: PeriodicOptions = options(&json!({"word": "RL", "cycles": "3", "all": true, "digits": 12})).unwrap();
+        assert_eq!((found.cycles, found.all, found.word.to_string().as_str()), (3, true, "P2 P1"));
+        let usual: PeriodicOptions =
+            options(&json!({"word": "RL", "cycles": 1, "all": false, "digits": null})).unwrap();
+        assert!(!usual.all);
+        let found: TwoImpactOptions = options(&json!({"cycles": "1..3", "wall": "right"})).unwrap();
+        assert_eq!(found.cycles, 1..=3);
+    }
+
+    #[test]
+    fn a_refusal_names_the_option_its_value_and_what_is_accepted() {
+        let given = json!({"word": "RL", "cycles": 0});
+        let accepted = "cycles is 0, but accepted is a whole number from 1 to 1000000";
+        assert_eq!(refusal::<PeriodicOptions>(given), accepted);
+        assert_eq!(refusal::<PeriodicOptions>(json!({"cycles": 1})), "word is missing");
+        let unknown = "wrod is not an option of periodic: accepted are word, cycles, all, digits, max-bits";
+        assert_eq!(refusal::<PeriodicOptions>(json!({"wrod": "RL"})), unknown);
+        let given = json!({"word": "RL", "cycles": 1, "all": "yes"});
+        assert_eq!(refusal::<PeriodicOptions>(given), "all is \"yes\", but accepted is true or false");
+        assert_eq!(refusal::<TwoImpactOptions>(json!({"wall": "up"})), "wall is up, but accepted is left, right");
+        let given = json!({"solve-for": "gap", "manifold": "frequency=1..2:3"});
+        assert_eq!(refusal::<TwoImpactOptions>(given), "solve-for and manifold exclude one another");
+        let word = options::<PeriodicOptions>(&json!({"word": "rl", "cycles": 1})).unwrap_err();
+        assert!(matches!(word, Failure::Option { option, value, .. } if option == "word" && value == "rl"));
+        // Neither files nor anything else of the command line can be reached.
+        assert!(refusal::<BifurcationOptions>(json!({"output": "x.json"})).starts_with("output is not an option"));
+    }
+}

@@ -1,0 +1,136 @@
+//! How much of what was requested is certified, and the next steps that are known to help.
+
+use std::fmt::{self, Display};
+
+/// How much of what was requested is certified: the last line of a table, and the exit code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Status {
+    is_complete: bool,
+    sentence: Vec<Piece>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Piece {
+    Words(String),
+    Step(Step),
+}
+
+/// A change of an option that is known to help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// A switch.
+    Set(&'static str),
+    /// A value, where none is given.
+    A(&'static str),
+    /// Another value.
+    Another(&'static str),
+    /// A greater number.
+    More(&'static str),
+    /// A smaller number.
+    Fewer(&'static str),
+    /// A greater limit.
+    Larger(&'static str),
+    /// A smaller limit.
+    Smaller(&'static str),
+    /// A part of the range.
+    Narrower(&'static str),
+    /// A range that has more values.
+    Wider(&'static str),
+}
+
+impl Step {
+    /// The change, before the name of the option.
+    fn parts(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Set(option) => ("", option),
+            Self::A(option) => ("a ", option),
+            Self::Another(option) => ("another ", option),
+            Self::More(option) => ("more ", option),
+            Self::Fewer(option) => ("fewer ", option),
+            Self::Larger(option) => ("a larger ", option),
+            Self::Smaller(option) => ("a smaller ", option),
+            Self::Narrower(option) => ("a narrower ", option),
+            Self::Wider(option) => ("a wider ", option),
+        }
+    }
+
+    /// The step in Python: options are keywords.
+    fn in_python(self) -> String {
+        let (change, option) = self.parts();
+        let value = if matches!(self, Self::Set(_)) { "=True" } else { "" };
+        format!("{change}{}{value}", option.replace('-', "_"))
+    }
+}
+
+impl Display for Step {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (change, option) = self.parts();
+        write!(out, "{change}--{option}")
+    }
+}
+
+impl Status {
+    /// A status whose sentence begins with these words.
+    pub fn new(is_complete: bool, words: impl Into<String>) -> Self {
+        Self { is_complete, sentence: vec![Piece::Words(words.into())] }
+    }
+
+    /// The status with more words.
+    #[must_use]
+    pub fn say(mut self, words: impl Into<String>) -> Self {
+        self.sentence.push(Piece::Words(words.into()));
+        self
+    }
+
+    /// The status with a step.
+    #[must_use]
+    pub fn step(mut self, step: Step) -> Self {
+        self.sentence.push(Piece::Step(step));
+        self
+    }
+
+    /// True if all that was requested is certified.
+    pub fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// The steps that are known to help.
+    pub fn steps(&self) -> impl Iterator<Item = Step> {
+        self.sentence.iter().filter_map(|piece| match piece {
+            Piece::Step(step) => Some(*step),
+            Piece::Words(_) => None,
+        })
+    }
+
+    /// The sentence, in which options are keywords of Python.
+    pub fn in_python(&self) -> String {
+        let text = |piece: &Piece| match piece {
+            Piece::Words(words) => words.clone(),
+            Piece::Step(step) => step.in_python(),
+        };
+        self.sentence.iter().map(text).collect()
+    }
+}
+
+/// The sentence, in which options are those of the command line.
+impl Display for Status {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.sentence.iter().try_for_each(|piece| match piece {
+            Piece::Words(words) => out.write_str(words),
+            Piece::Step(step) => step.fmt(out),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Status, Step};
+
+    #[test]
+    fn steps_are_named_as_the_reader_calls_them() {
+        let status = Status::new(false, "try ").step(Step::More("max-bits")).say(" or ").step(Step::Set("all"));
+        assert_eq!(status.to_string(), "try more --max-bits or --all");
+        assert_eq!(status.in_python(), "try more max_bits or all=True");
+        assert_eq!(status.steps().collect::<Vec<_>>(), [Step::More("max-bits"), Step::Set("all")]);
+    }
+}

@@ -1,0 +1,61 @@
+//! Verbs that answer with one document: a question in JSON in, the document and what is left undecided out.
+
+use impact_pair::watch::Watch;
+use impact_pair_answers::{
+    Answer, Asked, BifurcationOptions, Format, PeriodicOptions, TwoImpactOptions, Verb, read_options,
+};
+use impact_pair_plot::Pictured;
+use impact_pair_plot::picture::Look;
+use pyo3::prelude::*;
+use serde_json::{Map, Value};
+
+use crate::errors::Fault;
+use crate::scene::Scene;
+use crate::watched::watched;
+
+/// The document, whether everything requested is certified, the picture if requested, and what is left undecided, in words.
+type Found = (Option<String>, bool, Option<String>, String);
+/// The same with whether Ctrl-C ended the computation, before the picture.
+type Answered = (Option<String>, bool, bool, Option<String>, String);
+/// Answers one verb with these options, and with a picture if requested.
+type Ask = fn(&Asked<'_>, &Map<String, Value>, &dyn Watch) -> Result<Found, Fault>;
+
+/// The verbs.
+const VERBS: [(&str, Ask); 3] = [
+    (PeriodicOptions::NAME, ask::<PeriodicOptions>),
+    (BifurcationOptions::NAME, ask::<BifurcationOptions>),
+    (TwoImpactOptions::NAME, ask::<TwoImpactOptions>),
+];
+
+fn ask<V: Verb>(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault>
+where
+    for<'s> V::Answer<'s>: Pictured,
+{
+    let found = read_options::<V>(options)?.answer(asked, watch)?;
+    let document = found.text(Format::Json).map_err(Fault::of)?;
+    let svg = if asked.is_drawn { found.svg(&Look::default()).transpose().map_err(Fault::other)? } else { None };
+    let status = found.status();
+    Ok((document, status.is_complete(), svg, status.in_python()))
+}
+
+/// Answers a verb with options as JSON; commands name the scene by a path.
+#[pyfunction]
+pub fn answer(
+    py: Python<'_>,
+    scene: &Bound<'_, Scene>,
+    name: String,
+    question: (String, String),
+    picture: bool,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answered> {
+    let (verb, options) = question;
+    let options: Map<String, Value> = serde_json::from_str(&options).map_err(Fault::other)?;
+    let known = VERBS.iter().find(|(name, _)| *name == verb);
+    let (_, ask) = known.ok_or_else(|| Fault::other(format!("{verb} is no verb")))?;
+    let scene = scene.get().scene.clone();
+    watched(py, progress, move |monitor| {
+        let asked = Asked { scene: &scene, name: &name, is_drawn: picture };
+        let (document, is_complete, svg, status) = ask(&asked, &options, monitor)?;
+        Ok((document, is_complete, !is_complete && monitor.is_stopped(), svg, status))
+    })
+}
