@@ -2,18 +2,18 @@
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
-use impact_pair_answers::{BifurcationOptions, PeriodicOptions, TwoImpactOptions};
+use impact_pair_answers::{
+    AuditOptions, BifurcationOptions, DescribeOptions, PeriodicOptions, TradeOptions, TwoImpactOptions,
+};
 
 use crate::atlas::arguments as atlas;
-use crate::audit::arguments as audit;
-use crate::destination::Destination;
+use crate::destination::{Destination, Drawing};
 use crate::plot::arguments as plot;
 use crate::sweep::arguments as sweep;
-use crate::trade::arguments as trade;
 use crate::verb::Arguments;
 use crate::{
-    bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, tangency, trap, two_impact,
-    version, windows,
+    audit, bifurcations, chaos, check, cycles, describe, global, man, periodic, prove, run, tangency, trade, trap,
+    two_impact, version, windows,
 };
 
 /// Verified numerics for the horizontal impact pair: every impact proved
@@ -45,7 +45,7 @@ pub enum Verb {
     Run(run::RunArguments),
     /// Describe a motion: attracted, periodic, at rest or in a trapping region; its exponent, a horseshoe, the undecided questions
     #[command(after_help = describe::EXIT_CODES, after_long_help = describe::HELP)]
-    Describe(describe::DescribeArguments),
+    Describe(Arguments<DescribeOptions, Drawing>),
     /// Prove the periodic orbits of a word of mappings, and their stability
     #[command(after_help = EXIT_CODES, after_long_help = periodic::HELP)]
     Periodic(Arguments<PeriodicOptions, Destination>),
@@ -84,7 +84,7 @@ pub enum Verb {
     Sweep(sweep::SweepArguments),
     /// Measure the cost of accuracy on a scene: speed, reach and widths of each arithmetic, and the true errors of floating point
     #[command(after_help = trade::EXIT_CODES, after_long_help = trade::HELP)]
-    Trade(trade::TradeArguments),
+    Trade(Arguments<TradeOptions, Drawing>),
     /// Draw the paper's figures for a scene from certified orbits, as SVG, PNG or PDF
     #[command(after_help = EXIT_CODES, after_long_help = plot::HELP)]
     Plot(plot::PlotArguments),
@@ -93,7 +93,7 @@ pub enum Verb {
     TwoImpact(Arguments<TwoImpactOptions, two_impact::ManifoldDrawing>),
     /// Compare another simulator's list of impacts with the certified orbit: inside, outside, missed, false; where it diverges
     #[command(after_help = audit::EXIT_CODES, after_long_help = audit::HELP)]
-    Audit(audit::AuditArguments),
+    Audit(Arguments<AuditOptions, Destination>),
     /// Print the manual page, or write the pages of all verbs into a directory
     #[command(after_long_help = man::HELP)]
     Man(man::ManArguments),

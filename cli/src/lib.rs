@@ -66,7 +66,7 @@ pub fn main() -> ExitCode {
     };
     let answer = match verb {
         Verb::Run(arguments) => run::run(&arguments),
-        Verb::Describe(arguments) => describe::describe(&arguments),
+        Verb::Describe(arguments) => verb::answer(arguments),
         Verb::Periodic(arguments) => verb::answer(arguments),
         Verb::Bifurcations(arguments) => verb::answer(arguments),
         Verb::Trap(arguments) => trap::trap(&arguments),
@@ -80,9 +80,9 @@ pub fn main() -> ExitCode {
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),
         Verb::Sweep(arguments) => sweep::sweep(&arguments),
-        Verb::Trade(arguments) => trade::trade(&arguments),
+        Verb::Trade(arguments) => verb::answer(arguments),
         Verb::TwoImpact(arguments) => verb::answer(arguments),
-        Verb::Audit(arguments) => audit::audit(&arguments),
+        Verb::Audit(arguments) => verb::answer(arguments),
         Verb::Man(arguments) => man::man(Cli::command(), &arguments),
         Verb::Completions { shell } => completions(shell),
     };

@@ -1,10 +1,12 @@
 //! Verbs that answer with one document: their scene, format, output and picture.
 
+use std::iter;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result, anyhow, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Args, ValueEnum};
+use impact_pair::Scene;
 use impact_pair_answers::{Answer, Asked, Failure, Format, Verb};
 use impact_pair_plot::Pictured;
 use impact_pair_plot::picture::Look;
@@ -84,7 +86,7 @@ where
 
 /// Answers a verb.
 pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit> {
-    let Arguments { scene: path, options, format, outputs } = arguments;
+    let Arguments { scene: path, mut options, format, outputs } = arguments;
     let destination = outputs.destination();
     let accepted: Vec<Format> =
         V::FORMATS.iter().map(|(format, _)| *format).filter(|format| options.refuses(*format).is_none()).collect();
@@ -93,8 +95,14 @@ pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit
         let name = format.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
         bail!("--format is {name}, but {why}");
     }
-    let scene = scene::read(&path)?;
-    let files = destination.open(&[&path], outputs.plot())?;
+    let inputs: Vec<PathBuf> = options.inputs().iter().map(|input| input.path()).collect();
+    if scene::is_stdio(&path) && inputs.iter().any(|input| scene::is_stdio(input)) {
+        bail!("scene and events are both -, but stdin can only be one of them");
+    }
+    let scene = scene::read(&path).map_err(|error| swapped::<V>(&path, &inputs).unwrap_or(error))?;
+    options.inputs().into_iter().try_for_each(|input| input.load(scene::text))?;
+    let all: Vec<&PathBuf> = iter::once(&path).chain(&inputs).collect();
+    let files = destination.open(&all, outputs.plot())?;
     let named = |error: Error| if error.is::<impact_pair::Error>() { error.context(scene::name(&path)) } else { error };
     let progress = Progress::counting(options.counts(&scene), !files.quiet);
     let asked = Asked { scene: &scene, name: &path.display().to_string(), is_drawn: outputs.plot().is_some() };
@@ -111,11 +119,22 @@ pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit
     files.draw((&text, open, is_said), || outputs.svg(&found))
 }
 
+/// The error of a scene that stands in the place of another input.
+fn swapped<V: Verb>(path: &Path, inputs: &[PathBuf]) -> Option<Error> {
+    let is_scene =
+        |input: &&PathBuf| !scene::is_stdio(input) && scene::text(input).is_ok_and(|text| Scene::parse(&text).is_ok());
+    let [one, other] = [path, inputs.iter().find(is_scene)?].map(scene::name);
+    let verb = V::NAME;
+    Some(anyhow!("{one} is not a scene, but {other} is one: did you mean impact-pair {verb} {other} {one}?"))
+}
+
 /// The error with what it is about: an option, or else the scene.
 fn placed(failure: Failure, scene: &Path) -> Error {
     match failure {
         Failure::Scene(error) => Error::from(error).context(scene::name(scene)),
         Failure::Option { option, value, error } => Error::from(*error).context(format!("--{option} {value}")),
+        Failure::Named(error) => anyhow!("--{error}"),
+        Failure::Input { input, error } => Error::from(*error).context(input),
         Failure::Value { .. } | Failure::Question(_) => anyhow!("{failure}"),
     }
 }

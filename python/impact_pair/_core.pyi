@@ -13,14 +13,12 @@ __all__ = [
     "Sweep",
     "__version__",
     "answer",
-    "audit",
     "box_map",
     "bracket",
     "chaos",
     "chaos_cells",
     "check",
     "cycles",
-    "describe",
     "description_lines",
     "flights",
     "global_analysis",
@@ -31,7 +29,6 @@ __all__ = [
     "read_orbit",
     "run",
     "tangency",
-    "trade",
     "trap",
     "windows",
 ]
@@ -115,7 +112,6 @@ def windows(
 def global_analysis(
     scene: Scene, question: tuple[str, bool, int | None], digits: int | None, progress: _Progress
 ) -> tuple[str, bool, bool]: ...
-def describe(scene: Scene, name: str, question: tuple[int, int, int, bool], progress: _Progress) -> tuple[str, bool, bool, str | None]: ...
 def description_lines(document: str) -> list[tuple[str, str]]: ...
 def chaos(
     scene: Scene, question: tuple[int | None, str, str | None, str | None, bool, bool], picture: bool, progress: _Progress
@@ -123,14 +119,6 @@ def chaos(
 def chaos_cells(
     scene: Scene, over: tuple[str, int], question: tuple[str, int], picture: bool, progress: _Progress
 ) -> tuple[str, bool, bool, str | None]: ...
-def trade(scene: Scene, question: tuple[int | None, int, bool], progress: _Progress) -> tuple[str, bool, bool, str | None]: ...
-def audit(
-    scene: Scene,
-    question: tuple[str, tuple[str | None, str | None, str | None, bool]],
-    requested: tuple[str, str | None],
-    given: tuple[int | None, int],
-    progress: _Progress,
-) -> tuple[str, bool, bool]: ...
 def check(
     text: str,
     effort: str,

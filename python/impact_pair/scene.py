@@ -284,9 +284,9 @@ class Scene:
         Bounds('-0.693147180559(95,89)')
 
         """
-        question = (whole("impacts", impacts, IMPACTS), whole("depth", depth), whole("max_bits", max_bits), picture)
-        with reporting(progress, "impacts and boxes") as report:
-            return kept(answers.Description(*_core.describe(self._core, self._path, question, report)), keep_partial)
+        options = {"impacts": whole("impacts", impacts, IMPACTS), "depth": whole("depth", depth), "max_bits": whole("max_bits", max_bits)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Description, "describe", options, "impacts and boxes", **how)
 
     def flights(
         self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None, keep_partial: bool = False
@@ -633,8 +633,9 @@ class Scene:
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        with reporting(progress, "impacts", impacts) as report:
-            return kept(answers.Trade(*_core.trade(self._core, (impacts, whole("max_bits", max_bits), picture), report)), keep_partial)
+        options = {"impacts": impacts, "max_bits": whole("max_bits", max_bits)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Trade, "trade", options, "impacts", impacts, **how)
 
     def audit(
         self,
@@ -656,17 +657,13 @@ class Scene:
         """
         if not isinstance(columns, (tuple, list)) or len(columns) != 3:
             raise RangeError(f"columns is {columns!r}, but must be three: of time, wall and velocity", "columns", repr(columns))
-        time, wall, velocity = (None if column is None else str(column) for column in columns)
-        listed = (answers.listing(events), (time, wall, velocity, velocities))
-        requested = (text("tolerance", tolerance), optional("until", until))
+        named = zip(("time_column", "wall_column", "velocity_column"), columns, strict=True)
+        options = {key: None if column is None else str(column) for key, column in named} | narrow(digits, max_bits)
+        options |= {"events": answers.listing(events), "tolerance": text("tolerance", tolerance), "until": optional("until", until)}
+        if not velocities:
+            options |= {"no_velocity": True, "velocity_column": None}
         try:
-            with reporting(progress, "impacts") as report:
-                return kept(
-                    answers.Audit(
-                        *_core.audit(self._core, listed, requested, (optional_whole("digits", digits), whole("max_bits", max_bits)), report)
-                    ),
-                    keep_partial,
-                )
+            return self._answer(answers.Audit, "audit", options, "impacts", progress=progress, keep_partial=keep_partial)
         except ListError as error:
             # Not the options of the command line, but the keyword.
             said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))

@@ -2,7 +2,8 @@
 
 use impact_pair::watch::Watch;
 use impact_pair_answers::{
-    Answer, Asked, BifurcationOptions, Format, PeriodicOptions, TwoImpactOptions, Verb, read_options,
+    Answer, Asked, AuditOptions, BifurcationOptions, DescribeOptions, Format, PeriodicOptions, TradeOptions,
+    TwoImpactOptions, Verb, read_options,
 };
 use impact_pair_plot::Pictured;
 use impact_pair_plot::picture::Look;
@@ -21,10 +22,13 @@ type Answered = (Option<String>, bool, bool, Option<String>, String);
 type Ask = fn(&Asked<'_>, &Map<String, Value>, &dyn Watch) -> Result<Found, Fault>;
 
 /// The verbs.
-const VERBS: [(&str, Ask); 3] = [
+const VERBS: [(&str, Ask); 6] = [
     (PeriodicOptions::NAME, ask::<PeriodicOptions>),
     (BifurcationOptions::NAME, ask::<BifurcationOptions>),
     (TwoImpactOptions::NAME, ask::<TwoImpactOptions>),
+    (DescribeOptions::NAME, ask::<DescribeOptions>),
+    (TradeOptions::NAME, ask::<TradeOptions>),
+    (AuditOptions::NAME, ask::<AuditOptions>),
 ];
 
 fn ask<V: Verb>(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault>

@@ -24,7 +24,8 @@ impl From<Failure> for Fault {
     fn from(failure: Failure) -> Self {
         let keyword = |option: &str| option.replace('-', "_");
         match failure {
-            Failure::Scene(error) => Self::Ours(error),
+            Failure::Scene(error) | Failure::Named(error) => Self::Ours(error),
+            Failure::Input { error, .. } => Self::Ours(*error),
             Failure::Option { option, value, error } => Self::keyed(*error, &keyword(&option), &value),
             Failure::Value { option, value, accepted } => Self::range(&keyword(&option), value, &accepted),
             Failure::Question(message) => Self::Said { class: "RangeError", message, key: None, value: None },

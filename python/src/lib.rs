@@ -33,7 +33,7 @@ mod _core {
     #[pymodule_export]
     use super::chaos::{chaos, chaos_cells, cycles, global_analysis, tangency, trap, windows};
     #[pymodule_export]
-    use super::describe::{describe, description_lines};
+    use super::describe::description_lines;
     #[pymodule_export]
     use super::flights::flights;
     #[pymodule_export]
@@ -47,7 +47,7 @@ mod _core {
     #[pymodule_export]
     use super::sweep::Sweep;
     #[pymodule_export]
-    use super::verbs::{audit, check, prove, trade};
+    use super::verbs::{check, prove};
 
     #[pymodule_init]
     fn init(module: &super::Bound<'_, super::PyModule>) -> super::PyResult<()> {

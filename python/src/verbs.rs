@@ -1,20 +1,13 @@
 //! The other verbs: each answers with its document as JSON and whether everything requested is certified.
 
-use impact_pair::audit::{Audit, AuditSettings, Column, Columns, read};
-use impact_pair::json::one_a_line;
-use impact_pair::orbit::{Arithmetic, BITS, Orbit, Settings};
+use impact_pair::orbit::{BITS, Settings};
 use impact_pair::periodic::Precision;
-use impact_pair::scene::{DIGITS, Run};
-use impact_pair::trade::Trade;
+use impact_pair::scene::DIGITS;
 use impact_pair_certificate::{Certificate, Claims, Verdict};
-use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::chaos::effort_of;
 use crate::errors::{Fault, accepted};
-use crate::numbers::point;
-use crate::pictures::drawn;
-use crate::scene::Scene;
 use crate::watched::watched;
 
 /// A document as JSON, whether everything requested is certified, and whether Ctrl-C ended the computation.
@@ -34,69 +27,6 @@ pub fn digits(requested: Option<u32>, scene: &impact_pair::Scene) -> Result<u32,
 
 pub fn precision((requested, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
     Ok(Precision { digits: digits(requested, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
-}
-
-/// The cost of accuracy on a scene.
-#[pyfunction]
-pub fn trade(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (Option<u64>, u32, bool),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Drawn> {
-    let (impacts, max_bits, picture) = question;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let run = Run { impacts, ..Run::default() };
-        let settings = scene.settings_requested(run, Arithmetic::Auto);
-        let requested = Settings { max_bits: accepted("max_bits", max_bits, BITS)?, ..settings };
-        if requested.impacts == Some(0) {
-            return Err(Fault::range("impacts", 0, "there is nothing to measure"));
-        }
-        Orbit::of(&scene, requested.clone())?;
-        let trade = Trade::of(&scene, requested, monitor)?;
-        let svg = picture.then(|| drawn(impact_pair_plot::trade::svg(&trade, &Look::default()))).transpose()?;
-        let is_interrupted = trade.interrupted.is_some();
-        Ok((one_a_line(&trade.document(), &["arithmetics"]), !is_interrupted, is_interrupted, svg))
-    })
-}
-
-/// The layout of a list: the names or numbers of its columns of times, walls and velocities, and whether velocities are compared.
-type ListColumns = (Option<String>, Option<String>, Option<String>, bool);
-
-/// Another simulator's list, compared with the certified orbit.
-#[pyfunction]
-pub fn audit(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    question: (String, ListColumns),
-    requested: (String, Option<String>),
-    given: (Option<u32>, u32),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Answer> {
-    let (list, columns) = question;
-    let (tolerance, until) = requested;
-    let (requested, max_bits) = given;
-    let scene = scene.get().scene.clone();
-    watched(py, progress, move |monitor| {
-        let (time, wall, velocity, has_velocity) = columns;
-        let velocity = has_velocity.then(|| Column::velocity(velocity));
-        let columns = Columns { time: Column::time(time), wall: Column::wall(wall), velocity };
-        let size = point("tolerance", &tolerance)?;
-        let (low, high) = size.enclose(64).to_f64_bounds();
-        if !(low >= 0.0 && high <= 1.0) {
-            return Err(Fault::range("tolerance", tolerance, "must be a number from 0 to 1"));
-        }
-        let requested = AuditSettings {
-            tolerance: size,
-            until: until.map(|until| point("until", &until)).transpose()?,
-            digits: requested.map(|digits| accepted("digits", digits, DIGITS)).transpose()?,
-            max_bits: accepted("max_bits", max_bits, BITS)?,
-        };
-        let list = read(&list, &columns, scene.pair())?;
-        let audit = Audit::of(&scene, list, &requested, monitor)?;
-        Ok((one_a_line(&audit.document(), &["events"]), audit.is_agreed(), monitor.is_stopped()))
-    })
 }
 
 /// A claim, its verdict, and at the deciding claim the reason.

@@ -241,17 +241,19 @@ impl<'s> Audit<'s> {
 
     /// Result in one line.
     pub fn conclusion(&self) -> String {
-        self.concluded(false)
+        let hint = match self.hint() {
+            Some(Hint::Velocity) => "; velocities are expected just before the impact",
+            Some(Hint::Precision) | None => "",
+        };
+        let unused =
+            if self.unused.is_empty() { String::new() } else { format!("; not read: {}", self.unused.join(", ")) };
+        format!("{}{hint}{unused}", self.verdict())
     }
 
-    /// Result in one line, with the options of the command line that may help.
-    pub fn advice(&self) -> String {
-        self.concluded(true)
-    }
-
-    fn concluded(&self, names_options: bool) -> String {
+    /// Whether the list agrees, in words.
+    pub fn verdict(&self) -> String {
         let open = self.is_open().then(|| self.truth.message());
-        let mut said = match (self.count(Verdict::disagrees), open) {
+        match (self.count(Verdict::disagrees), open) {
             (0, None) if self.is_agreed() => format!("agreed: all {} listed", self.rows.len()),
             (0, None) => format!(
                 "undecided: {} of {} listed",
@@ -263,33 +265,35 @@ impl<'s> Audit<'s> {
                 let impacts = if n == 1 { "impact" } else { "impacts" };
                 format!("disagreed: {n} {impacts}{}", open.map_or(String::new(), |open| format!("; {open}")))
             }
-        };
-        if let Some(hint) = self.hint(names_options) {
-            said += &format!("; {hint}");
         }
-        if !self.unused.is_empty() {
-            said += &format!("; not read: {}", self.unused.join(", "));
-            if self.lacks_velocities && names_options {
-                said += " (velocities are read from the column that --velocity-column names)";
-            }
-        }
-        said
     }
 
-    fn hint(&self, names_options: bool) -> Option<&'static str> {
+    /// What may help where the list does not agree.
+    pub fn hint(&self) -> Option<Hint> {
         let is_short = |conclusion: &Conclusion| conclusion.reason() == Some(Doubt::Precision);
         if self.is_open() && is_short(&self.truth.conclusion) {
-            return names_options.then_some("try more --max-bits or fewer --digits");
+            return Some(Hint::Precision);
         }
         // Wrong in velocity alone from the first impact on: it may be another velocity.
         let first = self.first_disagreement()?;
         let errors = first.errors.as_ref()?;
         let is_velocity = !self.tolerance.is_outside_in_time(&errors.time) && self.impact(first) <= 1;
-        is_velocity.then_some(match names_options {
-            true => "velocities are expected just before the impact; --no-velocity compares times and walls only",
-            false => "velocities are expected just before the impact",
-        })
+        is_velocity.then_some(Hint::Velocity)
     }
+
+    /// True if the list has no velocities, although they are looked for.
+    pub fn lacks_velocities(&self) -> bool {
+        self.lacks_velocities
+    }
+}
+
+/// What may help where a list does not agree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hint {
+    /// More bits, or fewer digits of the certified orbit.
+    Precision,
+    /// The velocities just before the impacts, or none.
+    Velocity,
 }
 
 /// Error that the requested end of the comparison is before the start, or later than an orbit can be followed.

@@ -1,7 +1,7 @@
 //! Questions that are refused.
 
+use impact_pair::Error;
 use impact_pair::scene::Range;
-use impact_pair::{Error, ErrorKind};
 use thiserror::Error as ThisError;
 
 /// Why a question has no answer: a value is not accepted.
@@ -30,6 +30,17 @@ pub enum Failure {
         /// What is accepted.
         accepted: String,
     },
+    /// An error that names an option as its key.
+    #[error("{0}")]
+    Named(Error),
+    /// The text of an input.
+    #[error("{error}")]
+    Input {
+        /// Name of the input.
+        input: String,
+        /// The error.
+        error: Box<Error>,
+    },
     /// The question is none: it is malformed, or an option is missing or unknown.
     #[error("{0}")]
     Question(String),
@@ -49,10 +60,5 @@ impl Failure {
     /// The error of a question whose scene is malformed.
     pub(crate) fn malformed(what: impl std::fmt::Display) -> Self {
         Self::Question(what.to_string())
-    }
-
-    /// True if a list of impacts is at fault.
-    pub fn is_of_list(&self) -> bool {
-        matches!(self, Self::Scene(error) if error.kind() == ErrorKind::List)
     }
 }

@@ -19,12 +19,16 @@
 //! # Ok::<(), impact_pair_answers::Failure>(())
 //! ```
 
+mod audit;
 mod bifurcations;
+mod describe;
 mod failure;
 mod heading;
+mod input;
 mod periodic;
 mod question;
 mod status;
+mod trade;
 mod two_impact;
 pub mod values;
 
@@ -33,12 +37,16 @@ use clap::ValueEnum;
 use impact_pair::Scene;
 use impact_pair::watch::Watch;
 
+pub use audit::{AuditOptions, Audited};
 pub use bifurcations::{BifurcationOptions, Bifurcations};
+pub use describe::{DescribeOptions, Described};
 pub use failure::Failure;
 pub use heading::{heading, pair_heading};
+pub use input::Input;
 pub use periodic::{Periodic, PeriodicOptions, physical, symmetric};
 pub use question::{Question, read_options};
 pub use status::{Status, Step};
+pub use trade::TradeOptions;
 pub use two_impact::{TwoImpact, TwoImpactOptions};
 
 /// Options of a verb, which are its arguments on the command line and the keys of `options` in a [`Question`].
@@ -57,6 +65,11 @@ pub trait Verb: clap::Args {
     /// What the progress of the computation counts.
     fn counts(&self, _scene: &Scene) -> Counts {
         Counts::Stages
+    }
+
+    /// Files that the options name.
+    fn inputs(&mut self) -> Vec<&mut Input> {
+        Vec::new()
     }
 
     /// Answers the question, until the watch stops it; what is certified so far is kept.

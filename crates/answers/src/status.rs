@@ -20,6 +20,8 @@ enum Piece {
 pub enum Step {
     /// A switch.
     Set(&'static str),
+    /// An option that is only named.
+    Name(&'static str),
     /// A value, where none is given.
     A(&'static str),
     /// Another value.
@@ -42,7 +44,7 @@ impl Step {
     /// The change, before the name of the option.
     fn parts(self) -> (&'static str, &'static str) {
         match self {
-            Self::Set(option) => ("", option),
+            Self::Set(option) | Self::Name(option) => ("", option),
             Self::A(option) => ("a ", option),
             Self::Another(option) => ("another ", option),
             Self::More(option) => ("more ", option),
@@ -57,8 +59,13 @@ impl Step {
     /// The step in Python: options are keywords.
     fn in_python(self) -> String {
         let (change, option) = self.parts();
-        let value = if matches!(self, Self::Set(_)) { "=True" } else { "" };
-        format!("{change}{}{value}", option.replace('-', "_"))
+        let keyword = match (self, option) {
+            (_, "velocity-column") => "columns".to_owned(),
+            (_, "no-velocity") => "velocities=False".to_owned(),
+            (Self::Set(_), switch) => format!("{}=True", switch.replace('-', "_")),
+            (_, option) => option.replace('-', "_"),
+        };
+        format!("{change}{keyword}")
     }
 }
 

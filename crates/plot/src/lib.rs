@@ -47,7 +47,8 @@ pub mod two_impact;
 pub mod windows;
 
 use anyhow::Result;
-use impact_pair_answers::{Answer, Bifurcations, Periodic};
+use impact_pair::trade::Trade;
+use impact_pair_answers::{Answer, Audited, Bifurcations, Described, Periodic};
 
 use picture::Look;
 
@@ -65,3 +66,17 @@ pub trait Pictured: Answer {
 impl Pictured for Periodic<'_> {}
 
 impl Pictured for Bifurcations<'_> {}
+
+impl Pictured for Audited<'_> {}
+
+impl Pictured for Described<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(describe::describe(self.scene, &self.found, &self.document, look))
+    }
+}
+
+impl Pictured for Trade<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(trade::svg(self, look))
+    }
+}

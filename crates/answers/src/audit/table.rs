@@ -7,13 +7,13 @@ use impact_pair::exact::{Enclosure, decimal_digits};
 use impact_pair::json::counted;
 use impact_pair::scales::Unit;
 
-use impact_pair_answers::heading;
+use crate::{Status, heading};
 
 /// Events that disagree and are shown; of a chaotic list thousands may follow.
 const MAX_ROWS: usize = 10;
 
 /// The table with every event, or with the first ones that disagree.
-pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
+pub fn table(audit: &Audit<'_>, name: &str, all: bool, status: &Status) -> String {
     let mut lines = vec![heading(audit.scene).trim_end().to_owned()];
     lines.push(format!("list: {name}, {}", listed(audit)));
     lines.push(format!(
@@ -33,6 +33,7 @@ pub fn table(audit: &Audit<'_>, name: &str, all: bool) -> String {
         lines.push(String::new());
     }
     lines.extend(summary(audit));
+    lines.push(format!("\n{status}"));
     lines.join("\n") + "\n"
 }
 
@@ -169,7 +170,6 @@ fn summary(audit: &Audit<'_>) -> Vec<String> {
             counted(audit.digits(), "digit")
         ));
     }
-    lines.push(format!("\n{}", audit.advice()));
     lines
 }
 

@@ -3,7 +3,7 @@
 use impact_pair::json::counted;
 use impact_pair::trade::{Crossing, ErrorBounds, Extent, Largest, Measured, Trade};
 
-use impact_pair_answers::heading;
+use crate::heading;
 
 const COLUMN_NOTES: &str = "us: microseconds, orbit: impacts enclosed, as impacts/s; bounds: with their exact bounds in the units of the scene";
 

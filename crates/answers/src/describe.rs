@@ -1,0 +1,88 @@
+//! `describe`: what becomes of a motion, in one answer.
+
+use std::fmt::{self, Write};
+
+use anyhow::Result;
+use clap::Args;
+use impact_pair::Scene;
+use impact_pair::chaos::MOST_DEPTH;
+use impact_pair::describe::{Description, Request, describe, lines};
+use impact_pair::json::DescriptionDocument;
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::watch::Watch;
+
+use crate::values::{bits, count, whole};
+use crate::{Answer, Asked, Failure, Format, Status, Verb, heading, line};
+
+/// Options of `describe`.
+#[derive(Args, Clone, Debug)]
+pub struct DescribeOptions {
+    /// Maximum number of impacts that are certified to decide the fate, in double precision ten times as many
+    #[arg(long, value_name = "N", default_value_t = Request::default().impacts, value_parser = count(1..=100_000_000))]
+    pub impacts: u64,
+    /// Maximum number of impacts of a word of the horseshoe
+    #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = whole(1..=MOST_DEPTH))]
+    pub depth: u32,
+    /// Maximum precision of the orbit, in bits
+    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
+    pub max_bits: u32,
+}
+
+/// A description and its document.
+pub struct Described<'s> {
+    /// Scene that is described.
+    pub scene: &'s Scene,
+    /// What is proved.
+    pub found: Description,
+    /// The document.
+    pub document: DescriptionDocument,
+}
+
+impl Verb for DescribeOptions {
+    const NAME: &'static str = "describe";
+    const FORMATS: &'static [(Format, &'static str)] = &[
+        (Format::Text, "Human-readable: one line for each question"),
+        (Format::Json, "One document of the schema named above"),
+    ];
+    const FORMAT: &'static str =
+        "Output format; json is schema impact-pair/description/1 [default: by the extension of --output, else text]";
+    const PICTURE: &'static str =
+        "Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page";
+    type Answer<'s> = Described<'s>;
+
+    fn answer<'s>(&self, Asked { scene, name, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Described<'s>, Failure> {
+        let Self { impacts, depth, max_bits } = *self;
+        let found = describe(scene, &Request { impacts, depth: depth as usize, max_bits }, watch)?;
+        Ok(Described { document: found.document(scene, name)?, scene, found })
+    }
+}
+
+impl Answer for Described<'_> {
+    fn status(&self) -> Status {
+        let DescriptionDocument { certified, interrupted, fate, .. } = &self.document;
+        let stopped = if *interrupted { "interrupted; " } else { "" };
+        let said = if *certified { "certified: " } else { "" };
+        Status::new(*certified && !interrupted, format!("{stopped}{said}{}", fate.message))
+    }
+
+    fn text(&self, format: Format) -> Result<Option<String>> {
+        Ok(Some(if format == Format::Json { line(&self.document)? } else { self.table()? }))
+    }
+}
+
+impl Described<'_> {
+    /// The description for people.
+    fn table(&self) -> Result<String, fmt::Error> {
+        let mut out = heading(self.scene);
+        writeln!(out)?;
+        let mut last = "";
+        for (label, text) in lines(&self.document) {
+            writeln!(out, "{:12}  {text}", if label == last { "" } else { label })?;
+            last = label;
+        }
+        if self.document.interrupted {
+            writeln!(out, "interrupted")?;
+        }
+        Ok(out)
+    }
+}
