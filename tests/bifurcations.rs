@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use crate::tolerances::{CLOSED_FORM, QUOTIENT};
 use approx::assert_abs_diff_eq;
 use impact_pair::exact::{Dyadic, Enclosure, Exact};
-use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, Point, survey};
+use impact_pair::periodic::bifurcation::{BranchEnd, Diagram, DiagramSettings, Kind, Point, survey};
 use impact_pair::periodic::{PeriodicOrbit, Precision, Problem, Stability};
 use impact_pair::scene::{Key, Range, Term};
 use impact_pair::watch::{Stage, Unwatched, Watch, proceed_if};
@@ -62,7 +62,7 @@ fn fold_and_pitchfork_are_those_of_the_closed_forms_and_four_doublings_follow() 
         assert_eq!(point.symmetric, Some(point.kind != Kind::PeriodDoubling));
     }
     assert!(diagram.branches.iter().all(|branch| branch.is_proved));
-    assert!(diagram.branches.iter().any(|branch| branch.ends.contains(&End::At(Kind::Pitchfork))));
+    assert!(diagram.branches.iter().any(|branch| branch.ends.contains(&BranchEnd::Pitchfork)));
 }
 
 /// The eigenvalue -1 is passed: the orbit of the doubled branch's parent is stable before and unstable after.
@@ -111,7 +111,7 @@ fn r62_without_restitution_branches_end_where_the_ball_begins_to_rest() {
         let diagram = of_hard_walls(["1.7", "6.3", "0"], over);
         assert_eq!(kinds(&diagram), [(Kind::Fold, 0), (Kind::Graze, 0), (Kind::Graze, 0)]);
         assert!(diagram.is_certified() && diagram.branches.len() == 1 && diagram.branches[0].is_proved);
-        assert_eq!(diagram.branches[0].ends, [End::At(Kind::Graze); 2]);
+        assert_eq!(diagram.branches[0].ends, [BranchEnd::Graze; 2]);
         assert_eq!(diagram.branches[0].range, [0, 2].map(|i: usize| diagram.points[i].parameter.mid_rad().0));
         for (point, form) in diagram.points.iter().zip(["1/sqrt(4 + pi^2)", "1/pi", "1/2"]) {
             assert!(point.parameter.contains_enclosure(&Exact::parse(form).unwrap().enclose(300)), "{form}");
@@ -135,7 +135,7 @@ fn a_graze_just_before_the_end_of_the_range_is_found() {
         let graze = diagram.points[0].parameter.mid_rad().0;
         assert_abs_diff_eq!(graze, 0.000_916_946_148_03, epsilon = QUOTIENT);
         assert!(diagram.is_certified() && diagram.branches.iter().all(|branch| branch.is_proved), "{over}");
-        let grazing = |ends: [End; 2]| ends.contains(&End::At(Kind::Graze));
+        let grazing = |ends: [BranchEnd; 2]| ends.contains(&BranchEnd::Graze);
         assert!(diagram.branches.iter().any(|branch| grazing(branch.ends) && branch.range[0] == graze), "{over}");
     }
 }
@@ -153,7 +153,7 @@ fn a_flight_that_all_but_starts_at_rest_does_not_graze_its_start() {
         // Where a touch is this near to the start, it is not proved, but it is not passed over.
         let [other] = &diagram.unproved[..] else { panic!("{restitution}: {:?}", diagram.unproved) };
         assert_abs_diff_eq!(1.0 / other.near, std::f64::consts::PI, epsilon = 1e-4);
-        assert_eq!(diagram.branches[0].ends, [End::At(Kind::Graze); 2]);
+        assert_eq!(diagram.branches[0].ends, [BranchEnd::Graze; 2]);
     }
     for over in ["gap=3.141587..3.141590", "gap=3.1..3.2", "gap=0.5..8"] {
         let diagram = of_hard_walls(["1", "3", "1e-12"], over);

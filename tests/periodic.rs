@@ -3,6 +3,7 @@
 use crate::tolerances::TRACE;
 use approx::abs_diff_eq;
 use impact_pair::exact::{Enclosure, Exact};
+use impact_pair::json::vocabulary::Excludes;
 use impact_pair::number::{Ball, LEAST_BITS};
 use impact_pair::orbit::{Orbit, Settings, Start};
 use impact_pair::periodic::{Budget, Census, Finding, PeriodicOrbit, Precision, Problem, Stability};
@@ -260,11 +261,11 @@ fn r32_what_rests_is_excluded_from_what_is_proved_to_be_all() {
     let census = problem.find_all(&start, Precision::default(), Budget::default());
     let document = Units::gaps(&pair).unwrap().document(&problem, &start, &census);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
-    assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
+    assert_eq!(document.excludes, Some(Excludes::Resting));
     let answer = Problem::new(&pair, 1, Unknown::Velocity).unwrap().answer(9);
     let document = answer.document(&start, Wall::Left);
     assert!(document.exhaustive && document.orbits.iter().all(|orbit| orbit.physical != Some(true)));
-    assert_eq!(document.excludes.as_deref(), Some("motions that rest"));
+    assert_eq!(document.excludes, Some(Excludes::Resting));
     // A search that is not for all has nothing to exclude.
     let some = Units::gaps(&pair).unwrap().document(&problem, &start, &problem.find(&start, Precision::default()));
     assert_eq!((some.exhaustive, some.excludes), (false, None));

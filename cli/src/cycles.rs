@@ -123,7 +123,7 @@ fn row(cycle: &Cycle) -> String {
     };
     let eigenvalue = decimal_digits(&largest.re) + &turned;
     let time = counted(problem.chain().cycles(), "cycle");
-    let stability = orbit.stability.name();
+    let stability = orbit.stability;
     let walls: String =
         problem.chain().walls().iter().map(|&wall| if wall == Wall::Left { 'L' } else { 'R' }).collect();
     format!("{impacts:>7}  {stability:10}  {symmetric:13}  {eigenvalue:22}  {time:>9}  {walls}")

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use impact_pair::chaos::{Global, GlobalSettings, Kind, MOST_DEPTH, Reason, Recurrence};
+use impact_pair::chaos::{Class, Global, GlobalSettings, Kind, MOST_DEPTH, OpenReason, Recurrence};
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::{GlobalDocument, counted};
 use impact_pair::{Effort, Scene};
@@ -114,7 +114,7 @@ pub fn global(arguments: &GlobalArguments) -> Result<Answer> {
 /// The components, and which of them motions may go from and to.
 fn graph<'f>(scene: &Scene, found: &'f Global) -> Graph<'f> {
     let node = |own: &Recurrence| {
-        vec![Value::Word(own.kind.name()), Value::Number(own.boxes as i64), Value::of(own.is_closed)]
+        vec![Value::Word(own.kind.kind().to_string()), Value::Number(own.boxes as i64), Value::of(own.is_closed)]
     };
     Graph {
         title: format!("components that motions may stay in; {}", scene.pair().in_words()),
@@ -156,12 +156,12 @@ fn table(scene: &Scene, found: &Global, document: &GlobalDocument) -> Result<Str
 }
 
 /// The limit that leaves a component undecided.
-fn limit(reason: Reason) -> &'static str {
+fn limit(reason: OpenReason) -> &'static str {
     match reason {
-        Reason::Most => "as many boxes are mapped as --effort allows",
-        Reason::Halvings => "its boxes are halved as often as they can be",
-        Reason::Work => "its images take more than --effort leaves for them",
-        Reason::Interrupted => "interrupted",
+        OpenReason::Most => "as many boxes are mapped as --effort allows",
+        OpenReason::Halvings => "its boxes are halved as often as they can be",
+        OpenReason::Work => "its images take more than --effort leaves for them",
+        OpenReason::Interrupted => "interrupted",
     }
 }
 
@@ -173,7 +173,7 @@ fn row(number: usize, Recurrence { kind, boxes, area, is_closed, .. }: &Recurren
     };
     let period = cycles.map_or(String::new(), |cycles| counted(cycles, "cycle"));
     let radius = kind.limit().map_or(String::new(), |limit| decimal_digits(&limit.spectral_radius));
-    let (name, closed) = (kind.name(), if *is_closed { "yes" } else { "no" });
+    let (name, closed) = (kind.kind(), if *is_closed { "yes" } else { "no" });
     format!("{number:<2} {name:10}  {period:>8}  {radius:>22}  {boxes:>6}  {area:>8.6}  {closed}")
 }
 
@@ -182,7 +182,7 @@ fn conclusion(document: &GlobalDocument) -> String {
     let prefix = match (document.interrupted, document.certified) {
         (true, _) => "interrupted: ",
         (_, true) => "certified: ",
-        _ if document.class == "undecided" => "",
+        _ if document.class == Class::Undecided => "",
         _ => "proved in part: ",
     };
     format!("{prefix}{}", document.statement)

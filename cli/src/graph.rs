@@ -7,7 +7,7 @@ use impact_pair::json::PROGRAM;
 /// A node.
 pub enum Value {
     Number(i64),
-    Word(&'static str),
+    Word(String),
 }
 
 /// A directed graph, whose edges may have a letter.

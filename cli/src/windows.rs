@@ -143,7 +143,7 @@ fn table(scene: &Scene, found: &Windows) -> Result<String, fmt::Error> {
 fn end(end: &Option<WindowEnd>) -> String {
     end.as_ref().map_or_else(
         || "an end that is not proved".to_owned(),
-        |end| format!("{} ({})", decimal_digits(&end.parameter), end.point.kind.name()),
+        |end| format!("{} ({})", decimal_digits(&end.parameter), end.point.kind),
     )
 }
 

@@ -57,7 +57,7 @@ pub fn dictionary<'py>(
         for row in rows {
             match row[column] {
                 Cell::Whole(number) => list.append(number)?,
-                Cell::Text(text) => list.append(text)?,
+                Cell::Text(text) => list.append(text.to_string())?,
                 Cell::Truth(truth) => list.append(truth)?,
                 Cell::Number(number) => list.append(number)?,
                 // Of the ends of a cell the double that is inside: what is said of it is proved there.

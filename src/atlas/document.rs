@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, Decimal, GlobalDocument, PROGRAM, SceneDocument};
 
+use impact_pair_model::vocabulary::ComponentKind;
+
 use super::Plane;
 use crate::chaos::GlobalSettings;
 use crate::exact::Exact;
@@ -33,17 +35,17 @@ pub fn head(scene: &Scene, plane: &Plane, settings: &GlobalSettings, shard: Opti
 
 /// The record of a point, or of a cell that is not cut.
 pub(super) fn of(point: u64, values: &[(Key, Exact)], global: GlobalDocument, took: Duration) -> AtlasRecord {
-    let of_kind = |kind: &'static str| global.components.iter().filter(move |component| component.kind == kind);
+    let of_kind = |kind: ComponentKind| global.components.iter().filter(move |component| component.kind == kind);
     let count = |kind| of_kind(kind).count() as u64;
-    let areas = of_kind("undecided").filter_map(|component| component.area.text().parse::<f64>().ok());
+    let areas = of_kind(ComponentKind::Undecided).filter_map(|component| component.area.text().parse::<f64>().ok());
     let area = areas.fold(0.0, |all, area| all + area); // shown
     AtlasRecord {
         point,
         values: values.iter().map(|(_, value)| value.text()).collect(),
-        n_attracting: count("attracting"),
-        n_rest: count("rest-cycle"),
-        n_saddle: count("saddle"),
-        n_undecided: count("undecided"),
+        n_attracting: count(ComponentKind::Attracting),
+        n_rest: count(ComponentKind::RestCycle),
+        n_saddle: count(ComponentKind::Saddle),
+        n_undecided: count(ComponentKind::Undecided),
         undecided_area: Decimal::printed(format!("{area:.6}")),
         seconds: (took.as_secs_f64() * 1e3).round() / 1e3, // shown
         class: global.class,

@@ -1,5 +1,6 @@
 //! Points and cells of the plane.
 
+use crate::chaos::Class;
 use num_rational::BigRational;
 
 use super::*;
@@ -66,7 +67,7 @@ fn a20_a_cell_holds_for_its_points() {
     let at = |plane: &Plane, point| record(&scene, plane, &settings, point, &Unwatched).unwrap().unwrap();
     for point in 0..4 {
         let (one, cell) = (at(&points, point), at(&cells, point));
-        assert_eq!((one.class.as_str(), cell.class.as_str()), ("one-rest-cycle", "one-rest-cycle"));
+        assert_eq!([one.class, cell.class], [Class::OneRestCycle; 2]);
         assert_eq!(Shares::of(&cells, &cell), Shares { all: 1, decided: 1, ..Shares::default() });
         let head = head(&scene, &cells, &settings, None);
         assert_eq!(head.grid().unwrap().points(), 4);
@@ -89,9 +90,9 @@ fn a_point_that_is_undecided_says_which_limit_left_it() {
     ];
     for (settings, name) in limits {
         let found = record(&scene, &plane, &settings, 0, &Unwatched).unwrap().unwrap();
-        let reasons: Vec<_> = found.components.iter().filter_map(|own| own.reason.as_deref()).collect();
+        let reasons: Vec<_> = found.components.iter().filter_map(|own| own.reason).collect();
         assert!(found.n_undecided > 0 && reasons.len() as u64 == found.n_undecided);
-        assert!(reasons.iter().all(|reason| *reason == name), "{name}: {reasons:?}");
+        assert!(reasons.iter().all(|reason| reason.to_string() == name), "{name}: {reasons:?}");
     }
     let stop = |_: crate::watch::Stage<'_>| crate::watch::proceed_if(false);
     assert!(record(&scene, &plane, &few, 0, &stop).unwrap().is_none());

@@ -11,6 +11,8 @@ mod tests;
 use std::iter;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use impact_pair_model::vocabulary::StretchVerdict;
+
 use super::attracted::{StablePeriod, attracted};
 use super::guess::Guess;
 use super::horseshoe::{Horseshoe, bases};
@@ -86,12 +88,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// Name of the verdict in the outputs.
-    pub fn name(&self) -> &'static str {
+    pub fn kind(&self) -> StretchVerdict {
         match self {
-            Self::Horseshoe(_) => "horseshoe",
-            Self::Attracted { .. } => "attracted",
-            Self::Stable { .. } => "stable",
-            Self::Undecided => "undecided",
+            Self::Horseshoe(_) => StretchVerdict::Horseshoe,
+            Self::Attracted { .. } => StretchVerdict::Attracted,
+            Self::Stable { .. } => StretchVerdict::Stable,
+            Self::Undecided => StretchVerdict::Undecided,
         }
     }
 

@@ -74,8 +74,7 @@ impl Chaos {
     /// or that none is, where that was asked.
     pub fn document(&self, scene: &Scene, over: Option<&Range>, set: Option<&HyperbolicSet>) -> ChaosDocument {
         let left_out = set.map(|set| set.as_ref().map_or_else(|all| all, |set| &set.left_out)).into_iter().flatten();
-        let left_out =
-            left_out.map(|(word, why)| LeftOutDocument { word: *word as u32, reason: why.name().to_owned() });
+        let left_out = left_out.map(|(word, why)| LeftOutDocument { word: *word as u32, reason: *why });
         ChaosDocument {
             schema: CHAOS_SCHEMA.to_owned(),
             program: PROGRAM.to_owned(),

@@ -53,11 +53,11 @@ pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
 pub(crate) use document::{entropy, period};
 pub(crate) use flights::Flights;
 pub use global::{
-    Basin, BasinOutcome, Class, Global, GlobalSettings, Kind, LimitCycle, Patch, Reason, Recurrence, RestCycle,
+    Basin, BasinOutcome, Class, Global, GlobalSettings, Kind, LimitCycle, OpenReason, Patch, Recurrence, RestCycle,
 };
 pub(crate) use guess::{Guess, Image};
 pub use horseshoe::{Chaos, Horseshoe, HorseshoeSettings};
-pub use hyperbolic::{Cone, Hyperbolic, HyperbolicSet, LeftOut};
+pub use hyperbolic::{Cone, Hyperbolic, HyperbolicSet, LeftOut, why_left_out};
 pub use language::{BoxGraph, MOST_COUNTED, Unclosed, WallWords};
 pub(crate) use law::{Law, Side};
 pub(crate) use quad::Quad;

@@ -407,7 +407,7 @@ fn verdicts_of_a_stretch_hold_for_its_values() {
     for (over, count, name) in [("amplitude=1..1.1", 2, "attracted"), ("amplitude=9.06..9.064", 1, "horseshoe")] {
         let found = cells(over, count, 6);
         let stretches = &found.stretches;
-        assert!(stretches.iter().all(|stretch| stretch.verdict.name() == name), "{over}");
+        assert!(stretches.iter().all(|stretch| stretch.verdict.kind().to_string() == name), "{over}");
         assert!(!found.interrupted && stretches.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
         let last = stretches.last().unwrap();
         let ends = [(&stretches[0].low, &stretches[0].verdict), (&last.high, &last.verdict)]

@@ -19,6 +19,7 @@ mod tests;
 pub mod textbook;
 
 pub use bounds::{Margins, Radii};
+pub use impact_pair_model::vocabulary::Reason;
 pub(crate) use judges::{SetContact, accelerations, first_contacts};
 pub use lanes::{Image, first_contacts_of, image_of, images_of};
 
@@ -46,31 +47,6 @@ impl<T> Verdict<T> {
         match self {
             Self::Certified(value) => Some(value),
             Self::Undecided(_) => None,
-        }
-    }
-}
-
-/// The reason why a question is undecided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Reason {
-    /// A wall may be touched with zero velocity: a graze, or a ball that comes to rest.
-    Graze,
-    /// The set of states has become too wide to decide.
-    Width,
-    /// The requested width is beyond this arithmetic.
-    Precision,
-    /// The flight is longer than the solver follows, or has no end that it can prove.
-    Budget,
-}
-
-impl Reason {
-    /// Name of the reason in the orbit JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Graze => "graze",
-            Self::Width => "width",
-            Self::Precision => "precision",
-            Self::Budget => "budget",
         }
     }
 }

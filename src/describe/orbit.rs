@@ -2,6 +2,8 @@
 
 use impact_pair_document::{FateName, OrbitDocument};
 
+use impact_pair_model::vocabulary::OutcomeKind;
+
 use super::Request;
 use crate::lyapunov::{Disturbance, Exponent, limit};
 use crate::orbit::{Arithmetic, Orbit, Outcome, Settings};
@@ -28,7 +30,7 @@ pub(super) struct Followed {
 impl Followed {
     /// The fate that the outcome proves, if any.
     pub fn decides(&self) -> Option<FateName> {
-        FateName::of_outcome(&self.document.outcome.kind)
+        FateName::of_outcome(self.document.outcome.kind)
     }
 
     /// Number of certified impacts.
@@ -62,7 +64,7 @@ pub(super) fn followed(scene: &Scene, request: &Request, watch: &Latched<'_>) ->
     let mut impacts = FIRST_IMPACTS.min(most);
     let found = loop {
         let found = Followed::of(scene, settings(Arithmetic::Auto, impacts), watch)?;
-        let is_open = found.document.outcome.kind == "impacts-reached";
+        let is_open = found.document.outcome.kind == OutcomeKind::ImpactsReached;
         if !is_open || impacts >= most || watch.is_stopped() {
             break found;
         }

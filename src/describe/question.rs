@@ -9,8 +9,9 @@ use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
 use crate::chaos::MOST_DEPTH;
+use crate::contact::Reason;
 use crate::exact::Exact;
-use crate::lyapunov::{Exponent, Unknown};
+use crate::lyapunov::{Exponent, NoExponent};
 use crate::orbit::BITS;
 use crate::several::Spectrum;
 use crate::{Error, Scene};
@@ -84,13 +85,13 @@ impl Description {
         if self.is_interrupted {
             return Some(("what becomes of the motion?".to_owned(), format!("impact-pair describe {name}")));
         }
-        match self.orbit.document.outcome.reason.as_deref() {
+        match self.orbit.document.outcome.reason {
             None if self.is_unattracted.is_some() => None,
             None => Some((
                 format!("does the motion converge to a periodic orbit after impact {impacts}?"),
                 format!("impact-pair describe {name} --impacts {more}"),
             )),
-            Some("precision") if self.request.max_bits < *BITS.end() => {
+            Some(Reason::Precision) if self.request.max_bits < *BITS.end() => {
                 let bits = self.request.max_bits.saturating_mul(NEXT_FACTOR as u32).min(*BITS.end()); // proposes: bits to try next
                 let next = format!("impact-pair describe {name} --max-bits {bits}");
                 Some((format!("what happens after impact {impacts}?"), next))
@@ -113,7 +114,7 @@ impl Description {
         let unattracted = || self.is_unattracted.map(|why| not_examined("convergence to a periodic orbit", why));
         let orbit = undecided.or_else(unattracted).filter(|_| is_open);
         let exponent = match self.orbit.exponent {
-            Exponent::Unknown(Unknown::Width) => Some(not_examined("the exponent", TOO_COARSE)),
+            Exponent::Unknown(NoExponent::Width) => Some(not_examined("the exponent", TOO_COARSE)),
             _ => None,
         };
         let others = match (&self.region, &self.horseshoe) {

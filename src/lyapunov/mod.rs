@@ -13,6 +13,7 @@ mod scaled;
 use crate::number::{Ball, Number};
 use crate::orbit::{Impact, Orbit, Progress};
 pub use growth::Growth;
+pub use impact_pair_model::vocabulary::NoExponent;
 pub use limit::limit;
 
 /// The greatest growth rate of a small disturbance from an impact on, over the impacts that follow: natural logarithms.
@@ -28,41 +29,7 @@ pub enum Exponent {
     /// The ball comes to rest: all disturbances are forgotten, the derivative is 0, the exponent minus infinity.
     Forgets,
     /// Not known, or not defined.
-    Unknown(Unknown),
-}
-
-/// The reason why there is no exponent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unknown {
-    /// There are no two impacts in a row.
-    NoImpacts,
-    /// At a graze the map has no derivative; it may have been a miss.
-    Graze,
-    /// The ball rests with zero contact force: some nearby motions leave.
-    Unpressed,
-    /// The states are known too coarsely, or the ball is on its wall without velocity and is not proved to be accelerated away from it.
-    Width,
-}
-
-impl Unknown {
-    /// Whether the exponent is proved not to exist; otherwise it could not be found.
-    pub fn is_definite(self) -> bool {
-        match self {
-            Self::NoImpacts | Self::Unpressed => true,
-            // A graze is listed where no precision tells it from a miss.
-            Self::Graze | Self::Width => false,
-        }
-    }
-
-    /// Name of the reason in documents.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NoImpacts => "no-impacts",
-            Self::Graze => "graze",
-            Self::Unpressed => "unpressed",
-            Self::Width => "width",
-        }
-    }
+    Unknown(NoExponent),
 }
 
 /// The events that a disturbance has passed, as far as its limit depends on them (Lemma L4).
@@ -133,9 +100,9 @@ impl Disturbance {
         match event {
             _ if self.settled.is_some() => {}
             Progress::Impact(impact) => self.pass(orbit, impact),
-            Progress::Graze(_) => self.settled = Some(Exponent::Unknown(Unknown::Graze)),
+            Progress::Graze(_) => self.settled = Some(Exponent::Unknown(NoExponent::Graze)),
             Progress::Rest(rest) => {
-                let unpressed = Exponent::Unknown(Unknown::Unpressed);
+                let unpressed = Exponent::Unknown(NoExponent::Unpressed);
                 self.settled = Some(if orbit.forgets(rest) { Exponent::Forgets } else { unpressed });
             }
             Progress::Release(_) | Progress::Retraced(_) | Progress::Ended => {}
@@ -171,7 +138,7 @@ impl Disturbance {
         let jacobian = orbit.jacobian(&last, impact).filter(|_| leaves);
         let Some(jacobian) = jacobian.and_then(|jacobian| self.in_reference(jacobian)) else {
             // It may be a graze as far as is known.
-            self.settled = Some(Exponent::Unknown(Unknown::Width));
+            self.settled = Some(Exponent::Unknown(NoExponent::Width));
             return;
         };
         let square = self.restitution * self.restitution;
@@ -194,14 +161,14 @@ impl Disturbance {
         }
         let impacts = self.growth.matrices();
         if impacts == 0 && !self.is_lost {
-            return Exponent::Unknown(Unknown::NoImpacts);
+            return Exponent::Unknown(NoExponent::NoImpacts);
         }
         let growth = self.growth.logarithm_of_norm().filter(|_| !self.is_lost);
         let bounds = growth.and_then(|growth| {
             let per_impact = growth.checked_div(Ball::exact(impacts as f64))?; // exact: far fewer than 2^53
             Some(Exponent::Finite { per_impact, per_cycle: growth.checked_div(self.turns)? })
         });
-        bounds.unwrap_or(Exponent::Unknown(Unknown::Width)) // exact: no bounds are none
+        bounds.unwrap_or(Exponent::Unknown(NoExponent::Width)) // exact: no bounds are none
     }
 }
 

@@ -84,12 +84,12 @@ fn figure_14_grows_by_a_factor_of_e_to_the_two_fifths_per_impact() {
 #[test]
 fn a_rest_forgets_a_graze_has_no_derivative() {
     assert_eq!(after(&scene("chatter"), 40, 9).exponent(), Exponent::Forgets);
-    assert_eq!(after(&scene("graze"), 20, 9).exponent(), Exponent::Unknown(Unknown::Graze));
+    assert_eq!(after(&scene("graze"), 20, 9).exponent(), Exponent::Unknown(NoExponent::Graze));
     // However coarsely the chatter before it is known: at two digits the direction is lost there.
     for digits in [2, 6] {
         assert_eq!(after(&scene("chatter"), 40, digits).exponent(), Exponent::Forgets, "{digits}");
     }
-    assert_eq!(after(&scene("figure-14"), 0, 9).exponent(), Exponent::Unknown(Unknown::NoImpacts));
+    assert_eq!(after(&scene("figure-14"), 0, 9).exponent(), Exponent::Unknown(NoExponent::NoImpacts));
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn a_rest_without_contact_force_has_no_exponent() {
         let start = "time = 0, wall = \"left\", velocity = 0";
         after(&scene_of(&excitation, "gap = 4, restitution = 0.5", start), 3, 9).exponent()
     };
-    let unpressed = Exponent::Unknown(Unknown::Unpressed);
+    let unpressed = Exponent::Unknown(NoExponent::Unpressed);
     assert_eq!((still("pi", "1"), still("pi", "0")), (unpressed, unpressed));
     assert_eq!(still("1.25*pi", "1"), Exponent::Forgets);
 }
@@ -116,7 +116,7 @@ fn r62_a_start_where_the_contact_force_ends_has_no_exponent() {
         let disturbance = after(&scene(time), 3, 9);
         (disturbance.exponent(), disturbance.passed())
     };
-    assert_eq!(at("1"), (Exponent::Unknown(Unknown::Width), Passed::Break));
+    assert_eq!(at("1"), (Exponent::Unknown(NoExponent::Width), Passed::Break));
     for time in ["1.01", "1 + 1e-12"] {
         assert!(matches!(at(time), (Exponent::Finite { .. }, Passed::Flights)), "{time}");
     }

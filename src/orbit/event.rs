@@ -1,5 +1,7 @@
 //! Events and outcomes of an orbit.
 
+use impact_pair_model::vocabulary::OutcomeKind;
+
 use super::Period;
 use crate::contact::Reason;
 use crate::exact::Enclosure;
@@ -85,16 +87,16 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Name of the outcome in the orbit JSON.
-    pub fn kind(&self) -> &'static str {
+    /// Kind of the outcome in the orbit JSON.
+    pub fn kind(&self) -> OutcomeKind {
         match self {
-            Self::ImpactsReached => "impacts-reached",
-            Self::TimeReached => "time-reached",
-            Self::Periodic(_) => "periodic",
-            Self::Attracted(_) => "attracted",
-            Self::RestsForever(_) => "rests-forever",
-            Self::NeverImpacts => "never-impacts",
-            Self::Undecided { .. } => "undecided",
+            Self::ImpactsReached => OutcomeKind::ImpactsReached,
+            Self::TimeReached => OutcomeKind::TimeReached,
+            Self::Periodic(_) => OutcomeKind::Periodic,
+            Self::Attracted(_) => OutcomeKind::Attracted,
+            Self::RestsForever(_) => OutcomeKind::RestsForever,
+            Self::NeverImpacts => OutcomeKind::NeverImpacts,
+            Self::Undecided { .. } => OutcomeKind::Undecided,
         }
     }
 }

@@ -1,10 +1,11 @@
 //! The periodic JSON: proved periodic orbits in the units of the scene.
 
 use impact_pair_document::{
-    EigenvalueDocument, MeasuredImpact, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, RESTING,
-    RegionDocument, SceneDocument, bounds,
+    EigenvalueDocument, MeasuredImpact, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, RegionDocument,
+    SceneDocument, bounds,
 };
 use impact_pair_model::Start;
+use impact_pair_model::vocabulary::Excludes;
 
 use super::{Census, Eigenvalue, MeasuredOrbit, PeriodicImpact, PeriodicOrbit, Problem, Region};
 use crate::exact::{Enclosure, Exact};
@@ -24,7 +25,7 @@ impl Units<Exact> {
             let impact = |impact: &PeriodicImpact| self.impact(impact, (f64::MANTISSA_DIGITS, problem.period()));
             RegionDocument {
                 impacts: counted(problem, &region.impacts, region.impacts.iter().map(impact).collect()),
-                reason: region.reason.name().to_owned(),
+                reason: region.reason,
             }
         };
         let undecided = census.undecided.iter().map(region).collect();
@@ -34,7 +35,7 @@ impl Units<Exact> {
             word: problem.word().to_string(),
             cycles: problem.chain().cycles(),
             exhaustive: census.exhaustive,
-            excludes: census.exhaustive.then(|| RESTING.to_owned()),
+            excludes: census.exhaustive.then_some(Excludes::Resting),
             certified: census.is_certified(),
             orbits: census.orbits.iter().map(|orbit| self.orbit(problem, orbit)).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),
@@ -107,7 +108,7 @@ pub(crate) fn periodic_orbit(orbit: &MeasuredOrbit) -> PeriodicOrbitDocument {
         trace: Some(bounds(&orbit.trace)),
         determinant: Some(bounds(&orbit.determinant)),
         eigenvalues: Some(orbit.eigenvalues.each_ref().map(eigenvalue)),
-        stability: orbit.stability.name().to_owned(),
+        stability: orbit.stability,
         ..PeriodicOrbitDocument::default()
     }
 }

@@ -122,7 +122,7 @@ impl<N: Enclosing> Finding<N> {
         let monodromy = chain.monodromy(shaking, &legs)?;
         let trace = trace(&monodromy);
         let determinant = determinant(shaking.restitution(), chain.impacts());
-        let stability = Stability::of(&trace, &determinant, shaking.restitution());
+        let stability = super::stability::stability(&trace, &determinant, shaking.restitution());
         let physical = is_physical(&proved.at, &legs);
         Some(Self { proved, legs: legs.legs, monodromy, trace, determinant, stability, physical })
     }

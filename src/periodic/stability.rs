@@ -4,48 +4,23 @@ use std::cmp::Ordering;
 
 use crate::exact::{Dyadic, Enclosure};
 use crate::number::{Enclosing, Number};
+pub use impact_pair_model::vocabulary::Stability;
 
-/// The linear stability of an orbit: whether small disturbances die out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stability {
-    /// Both eigenvalues lie inside the unit circle, proved.
-    Stable,
-    /// One eigenvalue lies outside the unit circle, proved.
-    Unstable,
-    /// `e = 1`, and both eigenvalues lie on the unit circle, apart and not real, proved: small disturbances neither die out nor grow in
-    /// linear theory, which decides no more.
-    Elliptic,
-    /// None of these is proved: a bifurcation is too near.
-    Undecided,
-}
-
-impl Stability {
-    /// Name of the stability in the periodic JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Unstable => "unstable",
-            Self::Elliptic => "elliptic",
-            Self::Undecided => "undecided",
-        }
+/// Stability from trace and determinant, a power of the restitution: Jury's conditions, with the signs of (39) and (40). Lemma T4
+pub fn stability<N: Enclosing>(trace: &N, determinant: &N, restitution: &N) -> Stability {
+    let one = || N::from_f64(1.0);
+    let sum = one() + determinant.clone();
+    // (40) and (39): the characteristic polynomial at 1 and at -1.
+    let ends = [sum.clone() - trace.clone(), sum + trace.clone()].map(|x| x.certain_sign());
+    if ends.contains(&Some(Ordering::Less)) {
+        return Stability::Unstable;
     }
-
-    /// Stability from trace and determinant, a power of the restitution: Jury's conditions, with the signs of (39) and (40). Lemma T4
-    pub fn of<N: Enclosing>(trace: &N, determinant: &N, restitution: &N) -> Self {
-        let one = || N::from_f64(1.0);
-        let sum = one() + determinant.clone();
-        // (40) and (39): the characteristic polynomial at 1 and at -1.
-        let ends = [sum.clone() - trace.clone(), sum + trace.clone()].map(|x| x.certain_sign());
-        if ends.contains(&Some(Ordering::Less)) {
-            return Self::Unstable;
-        }
-        // T4: 1 - e has the sign of 1 - q, and is exactly 0 where e is 1
-        let shrinks = (one() - restitution.clone()).certain_sign();
-        match shrinks.filter(|_| ends == [Some(Ordering::Greater); 2]) {
-            Some(Ordering::Greater) => Self::Stable,
-            Some(Ordering::Equal) => Self::Elliptic,
-            _ => Self::Undecided,
-        }
+    // T4: 1 - e has the sign of 1 - q, and is exactly 0 where e is 1
+    let shrinks = (one() - restitution.clone()).certain_sign();
+    match shrinks.filter(|_| ends == [Some(Ordering::Greater); 2]) {
+        Some(Ordering::Greater) => Stability::Stable,
+        Some(Ordering::Equal) => Stability::Elliptic,
+        _ => Stability::Undecided,
     }
 }
 

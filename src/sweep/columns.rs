@@ -1,6 +1,8 @@
 //! A sweep as one table or as two: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
 
-use impact_pair_document::{ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
+use std::fmt;
+
+use impact_pair_document::{ClaimName, ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
 use crate::exact::{Exact, ParseError};
 
@@ -38,14 +40,14 @@ pub enum Kind {
 }
 
 /// The content of a row in a column.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub enum Cell<'r> {
     /// The row has no content in this column.
     Nothing,
     /// A whole number.
     Whole(u64),
     /// A word.
-    Text(&'r str),
+    Text(&'r dyn fmt::Display),
     /// True or false.
     Truth(bool),
     /// An exact number as written.
@@ -118,9 +120,9 @@ fn row<'r>(
     let impact = |of: fn(&'r SweepImpact) -> Cell<'r>| place.map_or(Cell::Nothing, of);
     let mut cells = vec![Cell::Whole(record.point)];
     cells.extend(record.values.iter().map(|value| Cell::Exact(value)));
-    cells.extend((table == Table::Mixed).then_some(Cell::Text(if state.is_some() { "state" } else { "point" })));
+    cells.extend((table == Table::Mixed).then_some(Cell::Text(if state.is_some() { &"state" } else { &"point" })));
     cells.extend((table != Table::Points).then(|| state.map_or(Cell::Nothing, |state| Cell::Whole(state.index))));
-    cells.push(impact(|impact| Cell::Text(impact.wall.name())));
+    cells.push(impact(|impact| Cell::Text(&impact.wall)));
     cells.push(impact(|impact| Cell::Bounds(&impact.phase)));
     cells.push(impact(|impact| Cell::Bounds(&impact.velocity)));
     if table != Table::States {
@@ -128,14 +130,18 @@ fn row<'r>(
         let period = record.period.as_ref().filter(|_| state.is_none());
         let duration = period.and_then(|period| period.duration.as_ref());
         cells.extend(has_durations.then(|| duration.map_or(Cell::Nothing, Cell::Bounds)));
-        let claim = if state.is_some() { Cell::Nothing } else { Cell::Text(record.claim.unwrap_or_default().text()) };
+        let claim = if state.is_some() {
+            Cell::Nothing
+        } else {
+            Cell::Text(record.claim.as_ref().unwrap_or(&ClaimName::ExactStart))
+        };
         cells.extend(has_claims.then_some(claim));
     }
     cells
 }
 
 fn cells_of(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
-    fn text(text: Option<&String>) -> Cell<'_> {
+    fn text<T: fmt::Display>(text: Option<&T>) -> Cell<'_> {
         text.map_or(Cell::Nothing, |text| Cell::Text(text))
     }
     fn bounds(bounds: Option<&ExtendedBounds>) -> Cell<'_> {
@@ -188,7 +194,8 @@ pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
         Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
         Cell::Nothing => String::new(),
         Cell::Whole(number) => number.to_string(),
-        Cell::Text(text) | Cell::Exact(text) => (*text).to_owned(),
+        Cell::Text(text) => text.to_string(),
+        Cell::Exact(text) => (*text).to_owned(),
         Cell::Number(number) => number.to_string(),
         Cell::Truth(truth) => truth.to_string(),
         Cell::Bounds(bounds) => bounds.join(","),

@@ -12,6 +12,7 @@ use crate::number::Ball;
 use crate::orbit::{Arithmetic, Outcome, Period};
 use crate::scene::{Key, Range};
 use crate::{Error, Scene};
+use impact_pair_model::vocabulary::PointOutcome;
 
 /// Head of a sweep: its scene, grid and settings; a shard is given by its number and the number of shards.
 pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
@@ -64,10 +65,7 @@ pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
 /// Record of the certified results at the point of this number and these values.
 pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
     // Chaos is never claimed: of a motion that is not proved to be attracted only the limit is undecided.
-    let outcome = match &point.outcome {
-        Outcome::ImpactsReached | Outcome::TimeReached => "undecided-limit",
-        other => other.kind(),
-    };
+    let outcome = PointOutcome::of(point.outcome.kind());
     let lasting = point.lasting.clone().unwrap_or_default();
     let duration = lasting.time.as_ref().map(extended);
     let period = match (&point.outcome, &point.attraction) {
@@ -94,8 +92,8 @@ pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecor
     SweepRecord {
         point: number,
         values: values.iter().map(|(_, value)| value.text()).collect(),
-        outcome: outcome.to_owned(),
-        reason: reason.map(|reason| reason.name().to_owned()),
+        outcome,
+        reason,
         message: message(point),
         claim: point.shadow.as_ref().map(|_| ClaimName::Shadowed),
         complete: reason.is_none() && point.first_wide.is_none() && !is_lost,
@@ -160,8 +158,6 @@ pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
             SweepExponent { per_impact: Some(of_ball(per_impact)), per_cycle: Some(of_ball(per_cycle)), reason: None }
         }
         Exponent::Forgets => SweepExponent { per_impact: rest(), per_cycle: rest(), reason: None },
-        Exponent::Unknown(unknown) => {
-            SweepExponent { per_impact: None, per_cycle: None, reason: Some(unknown.name().to_owned()) }
-        }
+        Exponent::Unknown(unknown) => SweepExponent { per_impact: None, per_cycle: None, reason: Some(unknown) },
     }
 }

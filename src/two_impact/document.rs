@@ -4,9 +4,11 @@ use std::cmp::Ordering;
 
 use impact_pair_document::{
     CurveDocument, MANIFOLD_SCHEMA, ManifoldDocument, ManifoldPointDocument, PERIODIC_SCHEMA, PROGRAM, PartDocument,
-    PeriodicOrbitDocument, RESTING, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
+    PeriodicOrbitDocument, SceneDocument, SpacingDocument, TwoImpactDocument, bounds,
 };
 use impact_pair_model::Start;
+use impact_pair_model::vocabulary::Excludes;
+use impact_pair_model::vocabulary::Sign;
 
 use super::{Answer, Axis, Manifold, Orbit, Part, Point, Range, Unknown};
 use crate::pair::Wall;
@@ -23,9 +25,9 @@ impl Answer {
             scene: SceneDocument::new(problem.pair(), start),
             word: word(wall).to_owned(),
             cycles: problem.cycles(),
-            solved_for: unknown.name().to_owned(),
+            solved_for: unknown.kind(),
             exhaustive: self.is_exhaustive,
-            excludes: self.is_exhaustive.then(|| RESTING.to_owned()),
+            excludes: self.is_exhaustive.then_some(Excludes::Resting),
             certified: self.is_complete,
             undecided: self.undecided.iter().map(|spacing| SpacingDocument { spacing: bounds(spacing) }).collect(),
             orbits: self.orbits.iter().map(|found| orbit(found, unknown, wall)).collect(),
@@ -46,18 +48,18 @@ pub fn word(wall: Wall) -> &'static str {
 fn orbit(orbit: &Orbit, unknown: &Unknown, wall: Wall) -> PeriodicOrbitDocument {
     PeriodicOrbitDocument {
         spacing: Some(bounds(&orbit.spacing)),
-        sine: Some(orbit.sine.map(|sine| sign(sine).to_owned())),
+        sine: Some(orbit.sine.map(sign)),
         amplitude: matches!(unknown, Unknown::Amplitude(_)).then(|| bounds(&orbit.amplitude)),
         gap: matches!(unknown, Unknown::Gap(_)).then(|| bounds(&orbit.gap)),
         ..periodic_orbit(&orbit.measured.listed_from(wall))
     }
 }
 
-fn sign(of: Ordering) -> &'static str {
+fn sign(of: Ordering) -> Sign {
     match of {
-        Ordering::Less => "negative",
-        Ordering::Equal => "zero",
-        Ordering::Greater => "positive",
+        Ordering::Less => Sign::Negative,
+        Ordering::Equal => Sign::Zero,
+        Ordering::Greater => Sign::Positive,
     }
 }
 
@@ -73,7 +75,7 @@ impl Range<'_> {
             schema: MANIFOLD_SCHEMA.to_owned(),
             program: PROGRAM.to_owned(),
             scene: SceneDocument::new(self.pair, start),
-            over: axis.name().to_owned(),
+            over: axis.kind(),
             certified: !interrupted,
             interrupted,
             curves: curves.iter().map(curve).collect(),
@@ -83,15 +85,15 @@ impl Range<'_> {
 
 fn point(axis: Axis, point: &Point) -> ManifoldPointDocument {
     let after = point.after.map(|Part { is_solid, is_physical, stability }| PartDocument {
-        sine: sign(if is_solid { Ordering::Greater } else { Ordering::Less }).to_owned(),
+        sine: sign(if is_solid { Ordering::Greater } else { Ordering::Less }),
         physical: is_physical,
-        stability: stability.name().to_owned(),
+        stability,
     });
     let at = bounds(&point.at);
     let (frequency, velocity) = match axis {
         Axis::Frequency => (Some(at), None),
         Axis::Velocity(_) => (None, Some(at)),
     };
-    let mark = point.mark.map(|mark| mark.name().to_owned());
+    let mark = point.mark;
     ManifoldPointDocument { frequency, velocity, amplitude: bounds(&point.amplitude), mark, after }
 }

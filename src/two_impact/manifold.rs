@@ -7,6 +7,9 @@
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
+use impact_pair_model::vocabulary::ManifoldAxis;
+pub use impact_pair_model::vocabulary::Mark;
+
 use crate::Error;
 use crate::exact::{Enclosure, Exact, whole_bits, working_bits};
 use crate::pair::{ImpactPair, Wall, within};
@@ -28,35 +31,10 @@ pub enum Axis {
 
 impl Axis {
     /// `frequency` or `velocity`.
-    pub fn name(self) -> &'static str {
+    pub fn kind(self) -> ManifoldAxis {
         match self {
-            Self::Frequency => "frequency",
-            Self::Velocity(_) => "velocity",
-        }
-    }
-}
-
-/// A change along a curve, in the order of rising `d W/|v|`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// The near wall is grazed: admissible beyond.
-    Graze,
-    /// The pitchfork (40): stable from here to the fold.
-    Pitchfork,
-    /// `sin th0 = 0`: dashed before, solid beyond.
-    Level,
-    /// The fold (40), where `A_N` is least.
-    Fold,
-}
-
-impl Mark {
-    /// Name of the mark in the manifold JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Graze => "graze",
-            Self::Pitchfork => "pitchfork",
-            Self::Level => "level",
-            Self::Fold => "fold",
+            Self::Frequency => ManifoldAxis::Frequency,
+            Self::Velocity(_) => ManifoldAxis::Velocity,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use impact_pair_model::vocabulary::SolvedFor;
 use impact_pair_model::{Place, Scene};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -43,11 +44,11 @@ pub enum Unknown {
 
 impl Unknown {
     /// `velocity`, `amplitude` or `gap`.
-    pub fn name(&self) -> &'static str {
+    pub fn kind(&self) -> SolvedFor {
         match self {
-            Self::Velocity => "velocity",
-            Self::Amplitude(_) => "amplitude",
-            Self::Gap(_) => "gap",
+            Self::Velocity => SolvedFor::Velocity,
+            Self::Amplitude(_) => SolvedFor::Amplitude,
+            Self::Gap(_) => SolvedFor::Gap,
         }
     }
 }

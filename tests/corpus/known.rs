@@ -52,7 +52,7 @@ fn has_rests(document: &Value) -> Option<bool> {
         Some(areas) => areas.len() == 1 && is_basin(&areas[0]) == Some(true),
         None => basins.is_null(),
     };
-    Some(is_one && are_basins && claimed["kind"] == "rest-cycle" && document["class"] == found.class().name())
+    Some(is_one && are_basins && claimed["kind"] == "rest-cycle" && document["class"] == found.class().to_string())
 }
 
 /// Each of its points is found, of its kind.

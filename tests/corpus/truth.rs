@@ -1,6 +1,7 @@
 //! The truth of a document by the library: the motion is computed anew from the document's own scene, in 320 bits.
 
 use impact_pair::exact::Exact;
+use impact_pair::json::vocabulary::OutcomeKind;
 use impact_pair::json::{OutcomeDocument, SceneDocument};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
@@ -64,7 +65,7 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
         return false;
     }
     if document["claim"] == "shadowed" {
-        return outcome.kind == "impacts-reached" && shadow::is_true(document, &outcome);
+        return outcome.kind == OutcomeKind::ImpactsReached && shadow::is_true(document, &outcome);
     }
     if outcome.start.is_some() || outcome.epsilon.is_some() {
         return false;
@@ -79,8 +80,8 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
         impacts: Some(if until.is_some() { impacts + 40 } else { most }),
         until,
         arithmetic: Arithmetic::Bits(320),
-        attractor: outcome.kind == "attracted",
-        digits: if outcome.kind == "attracted" { 25 } else { 9 },
+        attractor: outcome.kind == OutcomeKind::Attracted,
+        digits: if outcome.kind == OutcomeKind::Attracted { 25 } else { 9 },
         ..Settings::default()
     };
     let found = serde_json::to_value(Orbit::new(pair, start, settings).unwrap().document()).unwrap();
@@ -88,12 +89,12 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
     let Some(listed) = listed(events, all) else { return false };
     let next = all.get(listed);
     let ended = &found["outcome"];
-    let is_ended = match outcome.kind.as_str() {
-        "impacts-reached" => true,
-        "time-reached" => next.is_none(),
-        "periodic" => ended["kind"] == "periodic" && ended["period"] == document["outcome"]["period"],
-        "attracted" => ended["kind"] == "attracted" && is_attracted(&document["outcome"], ended),
-        "undecided" => {
+    let is_ended = match outcome.kind {
+        OutcomeKind::ImpactsReached => true,
+        OutcomeKind::TimeReached => next.is_none(),
+        OutcomeKind::Periodic => ended["kind"] == "periodic" && ended["period"] == document["outcome"]["period"],
+        OutcomeKind::Attracted => ended["kind"] == "attracted" && is_attracted(&document["outcome"], ended),
+        OutcomeKind::Undecided => {
             let from =
                 outcome.time.as_ref().and_then(|time| time[0].as_ref()).map(|from| Exact::from_rational(from.value()));
             from.is_some_and(|from| {
@@ -103,7 +104,10 @@ fn is_motion(document: &Value, pair: &ImpactPair, start: &Start) -> bool {
                 })
             })
         }
-        kind => ended["kind"] == kind && outcome.wall.is_none_or(|wall| serde_json::json!(wall) == ended["wall"]),
+        kind => {
+            ended["kind"] == kind.to_string()
+                && outcome.wall.is_none_or(|wall| serde_json::json!(wall) == ended["wall"])
+        }
     };
     is_ended && (outcome.until.is_none() || next.is_none())
 }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use anyhow::Result;
 use impact_pair::atlas::Shares;
+use impact_pair::chaos::Class;
 use impact_pair::json::AtlasHead;
 use impact_pair::sweep::Head;
 use impact_pair_plot::records::Records;
@@ -11,7 +12,8 @@ use impact_pair_plot::records::Records;
 use crate::grid::{Gathered, Tally};
 
 /// The classes in the order in which they are shown.
-const CLASSES: [&str; 5] = ["one-rest-cycle", "one-attractor", "attractors", "closed", "undecided"];
+const CLASSES: [Class; 5] =
+    [Class::OneRestCycle, Class::OneAttractor, Class::Attractors, Class::Closed, Class::Undecided];
 
 /// Counts of an atlas, printed as one line: points or cells of each class, and the share that is decided.
 pub struct Classes {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 
-use impact_pair::chaos::{Chaos, LeftOut};
+use impact_pair::chaos::{Chaos, LeftOut, why_left_out};
 use impact_pair::json::counted;
 use impact_pair::json::{ChaosCellsDocument, ChaosDocument, HyperbolicDocument, RatesDocument, SharesDocument};
 use impact_pair::pair::Wall;
@@ -75,7 +75,7 @@ pub fn left_out(words: &[(usize, LeftOut)]) -> Vec<String> {
     words.iter().for_each(|(number, why)| reasons.entry(*why).or_default().push(number.to_string()));
     let line = |(why, numbers): (LeftOut, Vec<String>)| {
         let words = if numbers.len() == 1 { "word" } else { "words" };
-        format!("left out of the hyperbolic set, as {}: {words} {}", why.words(), numbers.join(", "))
+        format!("left out of the hyperbolic set, as {}: {words} {}", why_left_out(why), numbers.join(", "))
     };
     reasons.into_iter().map(line).collect()
 }

@@ -97,7 +97,9 @@ impl Group {
         for ((column, cell), kind) in self.columns.iter_mut().zip(row).zip(kinds) {
             match (column, cell) {
                 (Column::Whole(values), Cell::Whole(number)) => values.push(Some(i64::try_from(*number)?)),
-                (Column::Text(values), Cell::Text(text)) => values.push(Some(ByteArray::from(*text))),
+                (Column::Text(values), Cell::Text(text)) => {
+                    values.push(Some(ByteArray::from(text.to_string().into_bytes())))
+                }
                 (Column::Truth(values), Cell::Truth(truth)) => values.push(Some(*truth)),
                 (Column::Bounds([lower, upper]), Cell::Bounds([low, high])) => {
                     lower.push(Some(doubles(low)?[0]));

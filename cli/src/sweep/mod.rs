@@ -10,6 +10,7 @@ use anyhow::{Context, Result, bail};
 use impact_pair::Scene;
 use impact_pair::json::SweepHead;
 use impact_pair::json::counted;
+use impact_pair::json::vocabulary::PointOutcome;
 use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
 use impact_pair_plot::records::Records;
@@ -97,7 +98,7 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
     let mut tally = Outcomes::default();
     let certified = sweep.head.certified;
     sweep.each_record(|record| {
-        tally.add(&record.outcome, record.complete);
+        tally.add(record.outcome, record.complete);
         Ok(())
     })?;
     tally.certified = certified;
@@ -126,16 +127,16 @@ fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: 
 /// The numbers of points by outcome.
 #[derive(Default)]
 struct Outcomes {
-    outcomes: Vec<(String, u64)>,
+    outcomes: Vec<(PointOutcome, u64)>,
     incomplete: u64,
     certified: bool,
 }
 
 impl Outcomes {
-    fn add(&mut self, outcome: &str, complete: bool) {
-        match self.outcomes.iter_mut().find(|(known, _)| known == outcome) {
+    fn add(&mut self, outcome: PointOutcome, complete: bool) {
+        match self.outcomes.iter_mut().find(|(known, _)| *known == outcome) {
             Some((_, count)) => *count += 1,
-            None => self.outcomes.push((outcome.to_owned(), 1)),
+            None => self.outcomes.push((outcome, 1)),
         }
         self.incomplete += u64::from(!complete);
     }

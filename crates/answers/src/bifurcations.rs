@@ -8,7 +8,7 @@ use impact_pair::Scene;
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::counted;
 use impact_pair::mapping::Word;
-use impact_pair::periodic::bifurcation::{Diagram, DiagramSettings, End, Kind, over, survey};
+use impact_pair::periodic::bifurcation::{BranchEnd, Diagram, DiagramSettings, Kind, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::scene::{Key, Range};
 use impact_pair::watch::Watch;
@@ -87,7 +87,7 @@ impl Answer for Bifurcations<'_> {
         let said = if is_certified { "certified" } else { "undecided" };
         let others = "others are not excluded (branches are found and followed in floating point)";
         let status = status(format!("{said}: {points}; {others}"));
-        let is_lost = diagram.branches.iter().any(|branch| branch.ends.contains(&End::Lost));
+        let is_lost = diagram.branches.iter().any(|branch| branch.ends.contains(&BranchEnd::Lost));
         let is_wide = diagram.points.iter().any(|point| !(point.is_narrow && point.is_decided()));
         let (narrower, more) = (Step::Narrower("over"), Step::More("max-bits"));
         // Of a change of sign that is not proved, nothing is known to help.
@@ -124,7 +124,7 @@ impl Bifurcations<'_> {
                 proved += ", ";
                 proved += physical(point.orbit.as_ref().and_then(|orbit| orbit.physical));
             }
-            let (kind, impacts) = (point.kind.name(), point.impacts.len());
+            let (kind, impacts) = (point.kind, point.impacts.len());
             let digits = decimal_digits(&parameter);
             writeln!(out, "{kind:16} {impacts:7} {:6}  {digits:36} {proved}", point.cycles)?;
         }
@@ -142,7 +142,7 @@ impl Bifurcations<'_> {
         }
         for unproved in &diagram.unproved {
             let [near, _] = diagram.range_f64([unproved.near; 2]);
-            let (kind, impacts) = (unproved.kind.name(), unproved.word.mappings().len());
+            let (kind, impacts) = (unproved.kind, unproved.word.mappings().len());
             writeln!(out, "undecided: {kind} of {impacts} impacts near {near:.9}")?;
         }
         writeln!(out, "\n{}", self.status())?;
@@ -151,12 +151,10 @@ impl Bifurcations<'_> {
 }
 
 /// The reason why a branch ends, in words.
-fn end(end: End) -> &'static str {
+fn end(end: BranchEnd) -> String {
     match end {
-        End::Range => "the range",
-        End::At(kind) => kind.name(),
-        End::Closed => "none, it closes",
-        End::Lost => "lost",
-        End::Interrupted => "interrupted",
+        BranchEnd::Range => "the range".to_owned(),
+        BranchEnd::Closed => "none, it closes".to_owned(),
+        other => other.to_string(),
     }
 }

@@ -9,7 +9,7 @@ use impact_pair::exact::{Enclosure, Exact, decimal_digits};
 use impact_pair::json::counted;
 use impact_pair::mapping::Word;
 use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem};
+use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Stability};
 use impact_pair::units::Units;
 use impact_pair::watch::Watch;
 
@@ -178,9 +178,9 @@ fn described(orbit: &PeriodicOrbit) -> String {
         Some(times) => format!(", a shorter orbit traversed {times} times"),
         None => ", or a shorter one traversed more than once".into(),
     };
-    let stability = match orbit.stability.name() {
-        "undecided" => "undecided whether stable",
-        name => name,
+    let stability = match orbit.stability {
+        Stability::Undecided => "undecided whether stable".to_owned(),
+        proved => proved.to_string(),
     };
     format!("{stability}, {physical}, {symmetric}{repeats}")
 }

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument, Place, values};
+use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::{Error, ImpactPair, Start};
 
 use super::GlobalCertificate;
@@ -237,9 +238,12 @@ impl ClaimedPoint {
 
 /// Whether the counts of components of a record, and of the cells into which it is cut, agree with their lists.
 fn has_own_counts(record: &AtlasRecord) -> bool {
-    let count = |kind: &str| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
+    let count =
+        |kind: ComponentKind| record.components.iter().filter(|component| component.kind == kind).count() as u64; // exact: a length
     let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
-    counts == ["attracting", "rest-cycle", "saddle", "undecided"].map(count)
+    counts
+        == [ComponentKind::Attracting, ComponentKind::RestCycle, ComponentKind::Saddle, ComponentKind::Undecided]
+            .map(count)
         && record.quarters.iter().all(has_own_counts)
 }
 

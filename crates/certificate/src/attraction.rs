@@ -2,6 +2,7 @@
 
 use impact_pair_document::{MeasuredImpact, OutcomeDocument, PeriodicOrbitDocument, Place};
 use impact_pair_exact::Enclosure;
+use impact_pair_model::vocabulary::{Sign, Stability};
 use impact_pair_model::{Error, Word};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -36,16 +37,7 @@ pub(super) struct ClaimedOrbit {
     /// Difference of phase from the left wall to the right one, of a two-impact motion \[rad\].
     pub spacing: Option<Bounds>,
     /// The sign of the sine on the left wall, of a two-impact motion.
-    pub sine: Option<String>,
-}
-
-/// The claimed stability.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stability {
-    Stable,
-    Unstable,
-    Elliptic,
-    Undecided,
+    pub sine: Option<Sign>,
 }
 
 /// An impact of a periodic orbit, as claimed.
@@ -99,13 +91,6 @@ impl ClaimedOrbit {
             (None, None, None) => None,
             _ => return Err(place.refused("it has a trace, a determinant and eigenvalues, or none of them")),
         };
-        let stability = match orbit.stability.as_str() {
-            "stable" => Stability::Stable,
-            "unstable" => Stability::Unstable,
-            "elliptic" => Stability::Elliptic,
-            "undecided" => Stability::Undecided,
-            _ => return Err(place.get("stability")?.refused("accepted are stable, unstable, elliptic and undecided")),
-        };
         if orbit.times == Some(0) {
             return Err(place.get("times")?.refused("accepted are whole numbers above 0, and null"));
         }
@@ -124,9 +109,9 @@ impl ClaimedOrbit {
             times: orbit.times,
             unique: orbit.unique,
             physical: orbit.physical,
-            stability,
+            stability: orbit.stability,
             spacing: orbit.spacing.as_ref().map(values),
-            sine: orbit.sine.clone().flatten(),
+            sine: orbit.sine.flatten(),
         })
     }
 

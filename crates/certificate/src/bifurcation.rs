@@ -4,6 +4,7 @@ use super::attraction::{Bounds, ClaimedOrbit};
 use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
+use impact_pair_model::vocabulary::{Bifurcation as Kind, BranchEnd};
 use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 use num_rational::BigRational;
 
@@ -29,27 +30,6 @@ pub(super) struct ClaimedPoint {
     pub orbit: ClaimedOrbit,
     /// The value of the parameter at which the orbit is given, if it is not the value at the point.
     pub from: Option<BigRational>,
-}
-
-/// The kind of the bifurcation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Fold,
-    Pitchfork,
-    PeriodDoubling,
-    Graze,
-}
-
-impl Kind {
-    /// The kind of an orbit at which an eigenvalue is 1 or -1.
-    pub fn named(text: &str) -> Option<Self> {
-        match text {
-            "fold" => Some(Self::Fold),
-            "pitchfork" => Some(Self::Pitchfork),
-            "period-doubling" => Some(Self::PeriodDoubling),
-            _ => None,
-        }
-    }
 }
 
 /// Reads the key of the parameter that varies.
@@ -79,14 +59,9 @@ pub(super) fn own_value(key: Key) -> String {
 
 impl ClaimedPoint {
     fn of(point: &BifurcationPointDocument, place: &Place<'_>) -> Result<Self, Error> {
-        let kind = match (Kind::named(&point.kind), point.kind.as_str()) {
-            (Some(kind), _) => kind,
-            (None, "graze") => Kind::Graze,
-            _ => return Err(place.get("kind")?.refused("accepted are fold, pitchfork, period-doubling and graze")),
-        };
         let orbit = place.get("orbit")?;
         Ok(Self {
-            kind,
+            kind: point.kind,
             parameter: point.parameter.values(),
             word: point.word.parse()?,
             cycles: point.cycles.into(),
@@ -196,7 +171,7 @@ const BITS: u32 = 256;
 fn contradiction(document: &BifurcationDocument, points: &[ClaimedPoint]) -> Result<Option<String>, Error> {
     let BifurcationDocument { word, cycles, certified, branches, undecided, over, .. } = document;
     let requested: Word = word.parse()?;
-    let is_lost = branches.iter().any(|branch| branch.ends.iter().any(|end| end == "lost"));
+    let is_lost = branches.iter().any(|branch| branch.ends.contains(&BranchEnd::Lost));
     let is_open = |point: &ClaimedPoint| {
         point.kind != Kind::Graze && (point.orbit.physical.is_none() || point.orbit.times.is_none())
     };

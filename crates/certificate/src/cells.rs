@@ -5,6 +5,7 @@ use super::leaves::is_there;
 use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument, Place, value};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
+use impact_pair_model::vocabulary::StretchVerdict;
 use impact_pair_model::{Error, ImpactPair, Start};
 
 /// The claims of a JSON of verdicts over the cells of a parameter.
@@ -37,7 +38,7 @@ impl CellsCertificate {
         let (pair, start) = document.scene.clone().model()?;
         let there = UNJUDGED.iter().filter(|key| is_there(&value, key));
         let mut unjudged: Vec<String> = there.map(|key| (*key).to_owned()).collect();
-        let is_attracted = document.stretches.iter().any(|stretch| stretch.verdict == "attracted");
+        let is_attracted = document.stretches.iter().any(|stretch| stretch.verdict == StretchVerdict::Attracted);
         unjudged.extend(SCENE_MOTION_KEYS.iter().filter(|_| !is_attracted).map(|key| (*key).to_owned()));
         unjudged.push(own_value(key));
         unjudged.sort();
@@ -67,7 +68,7 @@ impl CellsCertificate {
 
     /// Number of subintervals with a claim.
     pub fn claimed(&self) -> usize {
-        self.document.stretches.iter().filter(|stretch| stretch.verdict != "undecided").count()
+        self.document.stretches.iter().filter(|stretch| stretch.verdict != StretchVerdict::Undecided).count()
     }
 
     /// Keys of the document whose values [`check_within`](Self::check_within) does not check.

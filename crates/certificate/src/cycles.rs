@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::attraction::Stability;
+use impact_pair_model::vocabulary::Stability;
+
 use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
 use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place, value};

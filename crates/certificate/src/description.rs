@@ -146,7 +146,7 @@ impl DescriptionCertificate {
         let impacts = impacts.map(|word| word.mappings().len() as u64); // exact: a length
         let of_word = impacts.zip(outcome.cycles).map(|(impacts, cycles)| Period { impacts, cycles: cycles.into() });
         let same = [
-            ("kind", FateName::of_outcome(&outcome.kind) == Some(fate.kind)),
+            ("kind", FateName::of_outcome(outcome.kind) == Some(fate.kind)),
             ("from", outcome.from == fate.from),
             ("word", outcome.word == fate.word),
             ("wall", outcome.wall == fate.wall),

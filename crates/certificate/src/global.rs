@@ -3,13 +3,14 @@
 mod unjudged;
 
 use super::Finding;
-use super::attraction::{Bounds, ClaimedOrbit, Stability};
+use super::attraction::{Bounds, ClaimedOrbit};
 use super::cycles::is_reduced_period;
 use super::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_document::{
     BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, ProvedHorseshoeDocument, value,
 };
 use impact_pair_exact::{Exact, Real};
+use impact_pair_model::vocabulary::{Class, ComponentKind, Stability};
 use impact_pair_model::{Error, ImpactPair, Wall};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -38,7 +39,7 @@ pub struct GlobalCertificate {
 /// A component with a claim.
 #[derive(Clone, Debug)]
 pub(super) struct Claimed {
-    pub kind: String,
+    pub kind: ComponentKind,
     pub attracts: bool,
     pub closed: bool,
     /// True if the component is a set of saddle type, not one periodic motion.
@@ -53,7 +54,8 @@ pub(super) struct Claimed {
 }
 
 /// Kinds of components with a periodic motion, and the stability of the motion.
-const PERIODIC_KINDS: [(&str, Stability); 2] = [("attracting", Stability::Stable), ("saddle", Stability::Unstable)];
+const PERIODIC_KINDS: [(ComponentKind, Stability); 2] =
+    [(ComponentKind::Attracting, Stability::Stable), (ComponentKind::Saddle, Stability::Unstable)];
 
 impl GlobalCertificate {
     /// Reads a JSON of a global analysis.
@@ -75,14 +77,14 @@ impl GlobalCertificate {
             }
             claimed.push(claim);
         }
-        let is_open = document.components.iter().any(|component| component.kind == "undecided");
+        let is_open = document.components.iter().any(|component| component.kind == ComponentKind::Undecided);
         let says_there_are_no_others = !is_open && !document.interrupted;
         let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
         let has_grazing_motion = has_grazing_motion(&pair);
         let mut unjudged = unjudged::keys(&document, says_there_are_no_others, has_grazing_motion);
         unjudged.sort();
         unjudged.dedup();
-        let rests = document.components.iter().find(|component| component.kind == "rest-cycle");
+        let rests = document.components.iter().find(|component| component.kind == ComponentKind::RestCycle);
         let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
         let of_basin = |basin: &BasinDocument| (basin.component as usize, basin.area.value());
         let basins = basins.map(|basins| (basins.boxes, basins.areas.iter().map(of_basin).collect()));
@@ -157,7 +159,7 @@ impl GlobalCertificate {
 
     /// Whether a component is claimed to graze, for a pair that has a grazing motion.
     fn has_grazing_claim(&self) -> bool {
-        self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == "grazing")
+        self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == ComponentKind::Grazing)
     }
 
     pub(super) fn contradiction(&self) -> Option<&str> {
@@ -190,7 +192,7 @@ impl Claimed {
             None => None,
         };
         let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
-        let (kind, closed) = (component.kind.clone(), component.closed);
+        let (kind, closed) = (component.kind, component.closed);
         let (is_saddle_set, horseshoe) = (is_saddle_set(component), component.horseshoe.clone());
         Ok(Self { kind, attracts, closed, is_saddle_set, horseshoe, place, reduced, orbit })
     }
@@ -212,7 +214,7 @@ fn has_grazing_motion(pair: &ImpactPair) -> bool {
 
 /// Whether a component is claimed to be a set of saddle type, not one periodic motion.
 fn is_saddle_set(component: &ComponentDocument) -> bool {
-    component.kind == "saddle" && component.orbit.is_none()
+    component.kind == ComponentKind::Saddle && component.orbit.is_none()
 }
 
 /// A statement of the document that its own fields contradict.
@@ -221,17 +223,17 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
     if document.class != class {
         return Some(format!("the class of these components is {class}"));
     }
-    if document.interrupted && document.components.iter().all(|own| own.kind != "undecided") {
+    if document.interrupted && document.components.iter().all(|own| own.kind != ComponentKind::Undecided) {
         return Some("it was interrupted, but no component is left as it is".to_owned());
     }
-    let is_whole = matches!(class, "one-rest-cycle" | "one-attractor") && !document.interrupted;
+    let is_whole = matches!(class, Class::OneRestCycle | Class::OneAttractor) && !document.interrupted;
     if document.certified != is_whole {
         return Some(format!("certified is {} of a class that is {class}", document.certified));
     }
     if document.clone().with_statement().statement != document.statement {
         return Some("the statement is not that of these components".to_owned());
     }
-    if document.components.iter().filter(|own| own.kind == "rest-cycle").count() > 1 {
+    if document.components.iter().filter(|own| own.kind == ComponentKind::RestCycle).count() > 1 {
         return Some("all cycles with rests begin with the same release: there is one".to_owned());
     }
     if let Some(contradiction) = of_basins(document) {
@@ -242,7 +244,8 @@ fn contradiction(document: &GlobalDocument) -> Option<String> {
 
 /// A contradiction in the basins: each attractor has one basin, and no motion is in two. Lemma V27
 fn of_basins(document: &GlobalDocument) -> Option<&'static str> {
-    let is_attractor = |own: &ComponentDocument| own.kind == "attracting" || own.kind == "rest-cycle";
+    let is_attractor =
+        |own: &ComponentDocument| own.kind == ComponentKind::Attracting || own.kind == ComponentKind::RestCycle;
     let places = (0..document.components.len()).filter(|&i| is_attractor(&document.components[i]));
     let Some(basins) = &document.basins else { return None };
     if !places.eq(basins.areas.iter().map(|basin| basin.component as usize)) {
@@ -258,24 +261,20 @@ fn of_basins(document: &GlobalDocument) -> Option<&'static str> {
 }
 
 fn of_component(own: &ComponentDocument) -> Option<&'static str> {
-    let known = ["attracting", "saddle", "rest-cycle", "grazing", "undecided"];
-    if !known.contains(&own.kind.as_str()) {
-        return Some("there is no such kind");
-    }
-    if own.closed && matches!(own.kind.as_str(), "saddle" | "grazing") {
+    if own.closed && matches!(own.kind, ComponentKind::Saddle | ComponentKind::Grazing) {
         return Some("motions near a saddle or a graze leave it");
     }
-    if own.reason.is_some() && own.kind != "undecided" {
+    if own.reason.is_some() && own.kind != ComponentKind::Undecided {
         return Some("what is proved has no reason to be left undecided");
     }
-    if own.horseshoe.is_some() && own.kind != "undecided" {
+    if own.horseshoe.is_some() && own.kind != ComponentKind::Undecided {
         return Some("horseshoes are looked for where nothing else is proved");
     }
     let periodic = PERIODIC_KINDS.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
     let Some((_, stability)) = periodic else {
         let has_orbit =
             own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();
-        let is_rest = own.kind == "rest-cycle";
+        let is_rest = own.kind == ComponentKind::RestCycle;
         let lacks = own.cycles.is_some() != own.alternates.is_some() || !is_rest && own.cycles.is_some();
         return (has_orbit || lacks).then_some("these are not the keys of its kind");
     };
@@ -285,9 +284,7 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     if own.word.is_none() || own.cycles.is_none() || own.alternates.is_some() {
         return Some("these are not the keys of its kind");
     }
-    if orbit.stability != if *stability == Stability::Stable { "stable" } else { "unstable" }
-        || orbit.physical != Some(true)
-    {
+    if orbit.stability != *stability || orbit.physical != Some(true) {
         return Some("the stability of its orbit is that of another kind");
     }
     let (reduced, impacts) = (reduced as usize, orbit.impacts.len());
@@ -323,20 +320,21 @@ fn square([low, high]: &Bounds) -> Bounds {
 }
 
 /// The class of some components.
-fn class(document: &GlobalDocument) -> &'static str {
+fn class(document: &GlobalDocument) -> Class {
     let components = &document.components;
-    let count = |kind: &str| components.iter().filter(|component| component.kind == kind).count();
-    let (rests, open) = (count("rest-cycle"), count("undecided"));
-    let attractors = rests + count("attracting");
+    let count = |kind: ComponentKind| components.iter().filter(|component| component.kind == kind).count();
+    let (rests, open) = (count(ComponentKind::RestCycle), count(ComponentKind::Undecided));
+    let attractors = rests + count(ComponentKind::Attracting);
     // That all states are in the whole state space is no claim.
     let is_whole = |component: &ComponentDocument| component.area.value() >= BigRational::from_integer(1.into());
     let is_closed = |component: &ComponentDocument| component.closed && !is_whole(component);
-    let are_closed = components.iter().all(|component| component.kind != "undecided" || is_closed(component));
+    let are_closed =
+        components.iter().all(|component| component.kind != ComponentKind::Undecided || is_closed(component));
     match (attractors, open) {
-        (1, 0) if rests == 1 && components.len() == 1 => "one-rest-cycle",
-        (1, 0) => "one-attractor",
-        (0, 1..) if are_closed => "closed",
-        (1.., _) => "attractors",
-        _ => "undecided",
+        (1, 0) if rests == 1 && components.len() == 1 => Class::OneRestCycle,
+        (1, 0) => Class::OneAttractor,
+        (0, 1..) if are_closed => Class::Closed,
+        (1.., _) => Class::Attractors,
+        _ => Class::Undecided,
     }
 }

@@ -2,10 +2,11 @@
 
 use super::attraction::ClaimedOrbit;
 use impact_pair_document::{
-    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, RESTING,
-    TwoImpactDocument, value,
+    CYCLES_SCHEMA, CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, PeriodicOrbitDocument, Place, TwoImpactDocument,
+    value,
 };
 use impact_pair_exact::Exact;
+use impact_pair_model::vocabulary::SolvedFor;
 use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 
 /// The claims of a periodic JSON, or of a JSON of two-impact motions.
@@ -36,7 +37,7 @@ impl Read {
             return Ok(Self { document, has_rest, is_two_impact: false });
         };
         let document: TwoImpactDocument = whole.read()?;
-        if document.solved_for != "velocity" {
+        if document.solved_for != SolvedFor::Velocity {
             return Err(solved_for.refused("only what is solved for the velocity is checked"));
         }
         let has_rest = !document.undecided.is_empty();
@@ -96,9 +97,8 @@ impl PeriodicCertificate {
         if is_two_impact && !matches!(word.mappings(), [Mapping::P1, Mapping::P2] | [Mapping::P2, Mapping::P1]) {
             return Err(whole.get("word")?.refused("accepted of two-impact motions are \"P1 P2\" and \"P2 P1\""));
         }
-        if document.excludes.as_ref().is_some_and(|what| !document.exhaustive || what != RESTING) {
-            let accepted = format!("accepted is \"{RESTING}\", of an exhaustive list");
-            return Err(whole.get("excludes")?.refused(&accepted));
+        if document.excludes.as_ref().is_some_and(|_| !document.exhaustive) {
+            return Err(whole.get("excludes")?.refused("only an exhaustive list says what it leaves out"));
         }
         let cycles = document.cycles.into();
         let orbits = orbits.into_iter().map(|orbit| OrbitOf { word: word.clone(), cycles, orbit }).collect();

@@ -7,6 +7,7 @@ use impact_pair_document::{
     Place, Written, values,
 };
 use impact_pair_exact::Exact;
+use impact_pair_model::vocabulary::OutcomeKind;
 use num_rational::BigRational;
 use num_traits::Zero;
 use serde_json::{Value, json};
@@ -47,10 +48,11 @@ impl Certificate {
     /// # Examples
     /// ```
     /// use impact_pair_certificate::Certificate;
+    /// use impact_pair_model::vocabulary::OutcomeKind;
     ///
     /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
     /// let certificate = Certificate::parse(text)?;
-    /// assert_eq!((certificate.outcome(), certificate.events().len()), ("impacts-reached", 6));
+    /// assert_eq!((certificate.outcome(), certificate.events().len()), (OutcomeKind::ImpactsReached, 6));
     /// assert!(certificate.events().iter().all(|event| event.kind.is_impact() && event.time[0] < event.time[1]));
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
@@ -88,19 +90,19 @@ impl Certificate {
         let outcome = end.get("outcome")?;
         let mut unjudged = ["arithmetic", "program"].map(str::to_owned).to_vec();
         ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
-        if ended.kind == "undecided" {
+        if ended.kind == OutcomeKind::Undecided {
             // The reason for an undecided end claims nothing; that all events up to a time are listed is a claim.
             unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
         }
         unjudged.sort();
         // The fields that each kind of outcome requires; documents of older versions lack some.
-        let required: &[&str] = match ended.kind.as_str() {
-            "time-reached" => &["impacts", "until"],
-            "periodic" => &["impacts", "period"],
-            "rests-forever" => &["impacts", "wall"],
-            "undecided" => &["impacts", "reason", "time"],
-            "attracted" => &["impacts", "word", "cycles", "from", "orbit"],
-            _ => &["impacts"],
+        let required: &[&str] = match ended.kind {
+            OutcomeKind::TimeReached => &["impacts", "until"],
+            OutcomeKind::Periodic => &["impacts", "period"],
+            OutcomeKind::RestsForever => &["impacts", "wall"],
+            OutcomeKind::Undecided => &["impacts", "reason", "time"],
+            OutcomeKind::Attracted => &["impacts", "word", "cycles", "from", "orbit"],
+            OutcomeKind::ImpactsReached | OutcomeKind::NeverImpacts => &["impacts"],
         };
         let near: &[&str] = if of_start == ClaimName::Shadowed { &["start"] } else { &[] };
         required.iter().chain(near).try_for_each(|key| outcome.get(key).map(|_| ()))?;
@@ -134,9 +136,9 @@ impl Certificate {
         &self.events
     }
 
-    /// The word for the end of the orbit, such as `impacts-reached`.
-    pub fn outcome(&self) -> &str {
-        &self.ended.kind
+    /// The kind of the end of the orbit.
+    pub fn outcome(&self) -> OutcomeKind {
+        self.ended.kind
     }
 
     /// The claims about the end of the orbit.
@@ -153,10 +155,10 @@ impl Certificate {
     pub(super) fn claims_nothing(&self) -> bool {
         let is_later = |time: &Exact| time.compare(self.start.time()) == Some(Ordering::Greater);
         self.events.is_empty()
-            && match self.ended.kind.as_str() {
-                "impacts-reached" => true,
-                "time-reached" => !self.ended.until.as_ref().is_some_and(|until| is_later(&until.0)),
-                "undecided" => {
+            && match self.ended.kind {
+                OutcomeKind::ImpactsReached => true,
+                OutcomeKind::TimeReached => !self.ended.until.as_ref().is_some_and(|until| is_later(&until.0)),
+                OutcomeKind::Undecided => {
                     let from = self.ended.time.as_ref().and_then(|time| time[0].as_ref());
                     !from.is_some_and(|from| is_later(&Exact::from_rational(from.value())))
                 }

@@ -8,6 +8,7 @@ use impact_pair_document::{
     ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SweepHead, SweepImpact, SweepRecord, values,
 };
 use impact_pair_model::scene::Key;
+use impact_pair_model::vocabulary::PointOutcome;
 use impact_pair_model::{Error, Harmonic, ImpactPair, Start};
 
 /// The claims of a sweep about the impacts of its points.
@@ -166,9 +167,9 @@ impl ClaimedOrbit {
             Some("the axes have another number of points than given")
         } else if !follow || is_cut {
             Some("its impacts are not all those after the transient")
-        } else if all
-            .is_none_or(|all| record.impacts > all || record.outcome == "undecided-limit" && record.impacts < all)
-        {
+        } else if all.is_none_or(|all| {
+            record.impacts > all || record.outcome == PointOutcome::UndecidedLimit && record.impacts < all
+        }) {
             Some("it has another number of impacts than requested")
         } else {
             None

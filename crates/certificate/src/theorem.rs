@@ -5,6 +5,7 @@
 
 use impact_pair_document::{ClaimName, TrapDocument, counted};
 use impact_pair_model::EventKind;
+use impact_pair_model::vocabulary::OutcomeKind;
 
 use crate::{Certificate, Claims, GlobalCertificate};
 
@@ -155,7 +156,7 @@ impl Certificate {
             .as_ref()
             .map_or(String::new(), |until| format!("; up to t = {} there is no other event", until.0));
         let future = match self.outcome() {
-            "periodic" => ended.period.map(|period| {
+            OutcomeKind::Periodic => ended.period.map(|period| {
                 let cycles = counted(period.cycles, "forcing period");
                 format!(
                     "; from a listed release on, or without drift from the start on, the motion repeats itself every {cycles}, with {} listed each \
@@ -163,18 +164,18 @@ impl Certificate {
                     counted(period.impacts, "impact")
                 )
             }),
-            "attracted" => ended.from.map(|from| {
+            OutcomeKind::Attracted => ended.from.map(|from| {
                 format!(
                     "; from impact {from} on the motion converges to the orbit of `outcome.orbit`, which is stable and alone in its bounds"
                 )
             }),
-            "rests-forever" => ended.wall.map(|wall| format!("; after them the ball rests on the {} wall for ever", wall.name())),
-            "never-impacts" => Some("; after them no wall is ever touched".to_owned()),
-            "undecided" => {
+            OutcomeKind::RestsForever => ended.wall.map(|wall| format!("; after them the ball rests on the {} wall for ever", wall.name())),
+            OutcomeKind::NeverImpacts => Some("; after them no wall is ever touched".to_owned()),
+            OutcomeKind::Undecided => {
                 let from = ended.time.as_ref().and_then(|time| time[0].as_ref());
                 from.map(|from| format!("; after them no wall is touched before t = {}", from.text()))
             }
-            _ => None,
+            OutcomeKind::ImpactsReached | OutcomeKind::TimeReached => None,
         };
         until + &future.unwrap_or_default()
     }

@@ -1,13 +1,14 @@
 //! The JSON of windows, read back: the claims about each stable orbit and about the ends of its window.
 
-use super::attraction::{ClaimedOrbit, Stability};
-use super::bifurcation::{ClaimedPoint, Kind, own_value, parameter};
+use super::attraction::ClaimedOrbit;
+use super::bifurcation::{ClaimedPoint, own_value, parameter};
 use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
 use crate::read::is_single;
 use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, value};
 use impact_pair_exact::{Exact, compare_rational};
 use impact_pair_model::scene::Key;
+use impact_pair_model::vocabulary::{Bifurcation as Kind, Stability};
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
 
 /// The claims of a JSON of windows.
@@ -116,12 +117,13 @@ impl ClaimedWindow {
         let mut ends = Vec::new();
         for (kind, bounds) in window.ends.iter().zip(bounds) {
             let (Some(kind), Some(bounds)) = (kind, bounds) else { continue };
-            let kind = Kind::named(kind)
-                .ok_or_else(|| place.refused("accepted ends are fold, pitchfork and period-doubling, or null"))?;
+            if *kind == Kind::Graze {
+                return Err(place.get("ends")?.refused("accepted are fold, pitchfork, period-doubling and null"));
+            }
             let parameter = bounds.values();
             let from = Some(window.at.0.enclose(BITS).inf().to_rational());
             let (word, orbit) = (claim.word.clone(), orbit.clone());
-            ends.push(ClaimedPoint { kind, parameter, word, cycles, orbit, from });
+            ends.push(ClaimedPoint { kind: *kind, parameter, word, cycles, orbit, from });
         }
         let flights = window.flights.chars().map(|flight| flight == 'F').collect();
         let (at, stable_between) = (window.at.0.clone(), window.stable_between);
@@ -151,7 +153,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
         if window.key != over.place() || window.key != range.key {
             return wrong(".key: it is not that of the range");
         }
-        if window.orbit.stability != "stable" {
+        if window.orbit.stability != Stability::Stable {
             return wrong(".orbit.stability: only stable orbits have a window");
         }
         if window.orbit.physical == Some(false) {
@@ -165,7 +167,7 @@ fn contradiction(document: &WindowsDocument, over: Key) -> Option<String> {
         if window.stable_between && (window.from.is_none() || window.to.is_none()) {
             return wrong(".stable_between: between two ends, but one of them is not proved");
         }
-        let folds = window.ends.iter().flatten().filter(|kind| *kind == "fold").count();
+        let folds = window.ends.iter().flatten().filter(|kind| **kind == Kind::Fold).count();
         if folds > 1 || (window.from.is_some() && window.to.is_some() && folds != 1) {
             return wrong(".ends: exactly one of two ends is a fold");
         }

@@ -2,6 +2,7 @@
 
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
+use impact_pair_model::vocabulary::Class;
 use serde::{Deserialize, Serialize};
 
 use super::PROGRAM;
@@ -61,7 +62,7 @@ pub struct AtlasRecord {
     /// The exact values, one per axis; of a cell intervals, `[LOW, HIGH]`.
     pub values: Vec<String>,
     /// `one-rest-cycle`, `one-attractor`, `attractors`, `closed` or `undecided`.
-    pub class: String,
+    pub class: Class,
     /// Attracting periodic motions without rests.
     pub n_attracting: u64,
     /// Cycles with rests.
@@ -92,7 +93,7 @@ impl AtlasRecord {
     /// Returns whether every motion is proved to end in one cycle with rests, or to tend to one attractor, apart from saddles and
     /// grazes.
     pub fn is_decided(&self) -> bool {
-        matches!(self.class.as_str(), "one-rest-cycle" | "one-attractor")
+        matches!(self.class, Class::OneRestCycle | Class::OneAttractor)
     }
 
     /// Returns the greatest lower bound of the topological entropy per impact of the horseshoes of its components; 0 where none is proved.
@@ -118,7 +119,7 @@ impl AtlasRecord {
             program: PROGRAM.to_owned(),
             certified: self.is_decided(),
             scene,
-            class: self.class.clone(),
+            class: self.class,
             statement: String::new(),
             greatest_speed: self.greatest_speed.clone(),
             boxes: head.boxes,

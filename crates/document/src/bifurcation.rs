@@ -1,6 +1,7 @@
 //! The bifurcation JSON, schema `impact-pair/bifurcations/1`.
 
 use impact_pair_model::scene::Range;
+use impact_pair_model::vocabulary::{Bifurcation, BranchEnd};
 use serde::{Deserialize, Serialize};
 
 use super::number::{Bounds, Written};
@@ -64,7 +65,7 @@ impl From<&Range> for ParameterRange {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct BifurcationPointDocument {
     /// Kind of the bifurcation.
-    pub kind: String,
+    pub kind: Bifurcation,
     /// The value of the parameter.
     pub parameter: Bounds,
     /// The word of the orbit.
@@ -90,7 +91,7 @@ pub struct BranchDocument {
     /// The range of the parameter on it.
     pub parameter: [f64; 2],
     /// The reasons why it ends.
-    pub ends: [String; 2],
+    pub ends: [BranchEnd; 2],
     /// Whether it is proved to be one curve.
     pub proved: bool,
 }
@@ -100,7 +101,7 @@ pub struct BranchDocument {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct UnprovedDocument {
     /// Its possible kind.
-    pub kind: String,
+    pub kind: Bifurcation,
     /// Approximate value of the parameter.
     pub near: f64,
     /// The word of the orbit.

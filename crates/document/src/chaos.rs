@@ -1,5 +1,6 @@
 //! The JSON of trapping regions and of chaos, schemas `impact-pair/trap/1`, `impact-pair/chaos/1` and `impact-pair/chaos-cells/1`.
 
+use impact_pair_model::vocabulary::{LeftOut, StretchVerdict};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::bifurcation::ParameterRange;
@@ -132,7 +133,7 @@ pub struct LeftOutDocument {
     /// in the cones could meet a side of its strip twice), `cells` (its strip would be cut into too many cells), `cone` (a smallest cell is not
     /// proved to map its cone into itself and to expand), `return` (no other word of the set leads to its h-set, or back), `strings` (the
     /// expansion of strings of words is not bounded), or `interrupted`.
-    pub reason: String,
+    pub reason: LeftOut,
 }
 
 /// A key that is there, whether it is `null` or not.
@@ -263,7 +264,7 @@ pub struct StretchDocument {
     pub high: Written,
     /// `horseshoe`, `attracted` (of the orbit of the scene's own start), `stable` (a stable periodic orbit exists, and the scene's own orbit is
     /// not proved to converge to it) or `undecided`; a horseshoe beside a stable orbit is given by `entropy`.
-    pub verdict: String,
+    pub verdict: StretchVerdict,
     /// For a horseshoe, lower bounds of the topological entropy.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub entropy: Option<EntropyDocument>,

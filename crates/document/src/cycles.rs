@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use impact_pair_model::vocabulary::Reason;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::number::Between;
@@ -84,5 +85,5 @@ pub struct OpenCycleDocument {
     /// Bounds of its first impacts.
     pub impacts: Vec<MeasuredImpact>,
     /// Reason why the cycle is not proved.
-    pub reason: String,
+    pub reason: Reason,
 }

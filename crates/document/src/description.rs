@@ -1,5 +1,6 @@
 //! The JSON of what becomes of a motion, schema `impact-pair/description/1`.
 
+use impact_pair_model::vocabulary::OutcomeKind;
 use impact_pair_model::{Period, Wall};
 use serde::{Deserialize, Serialize};
 
@@ -97,10 +98,14 @@ pub enum FateName {
 
 impl FateName {
     /// Returns the kind that the outcome of an orbit decides, if it decides one.
-    pub fn of_outcome(kind: &str) -> Option<Self> {
-        [Self::Attracted, Self::Periodic, Self::RestsForever, Self::NeverImpacts]
-            .into_iter()
-            .find(|name| name.text() == kind)
+    pub fn of_outcome(kind: OutcomeKind) -> Option<Self> {
+        match kind {
+            OutcomeKind::Attracted => Some(Self::Attracted),
+            OutcomeKind::Periodic => Some(Self::Periodic),
+            OutcomeKind::RestsForever => Some(Self::RestsForever),
+            OutcomeKind::NeverImpacts => Some(Self::NeverImpacts),
+            OutcomeKind::ImpactsReached | OutcomeKind::TimeReached | OutcomeKind::Undecided => None,
+        }
     }
 
     /// Returns the word of the JSON.

@@ -1,5 +1,6 @@
 //! The JSON of a global analysis, schema `impact-pair/global/1`.
 
+use impact_pair_model::vocabulary::{Class, ComponentKind, OpenReason};
 use serde::{Deserialize, Serialize};
 
 use super::chaos::{BaseDocument, Depth, EntropyDocument};
@@ -24,7 +25,7 @@ pub struct GlobalDocument {
     /// The scene; its start is not used.
     pub scene: SceneDocument,
     /// `one-rest-cycle`, `one-attractor`, `attractors`, `closed` or `undecided`.
-    pub class: String,
+    pub class: Class,
     /// The class in a sentence, which follows from the components.
     pub statement: String,
     /// The speed over `A W` that each motion exceeds finitely often.
@@ -74,7 +75,7 @@ pub struct BasinDocument {
 pub struct ComponentDocument {
     /// `attracting`, `rest-cycle`, `saddle`, `grazing` or `undecided`. A saddle without an orbit is a set of saddle type: its states whose
     /// motions stay in it have no area.
-    pub kind: String,
+    pub kind: ComponentKind,
     /// Of a periodic motion without rests: its least period under the reduced map, which mirrors every impact to the left wall.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reduced_impacts: Option<u32>,
@@ -98,7 +99,7 @@ pub struct ComponentDocument {
     pub closed: bool,
     /// Of an undecided one the limit that leaves it so: `most`, `halvings` or `work`, or `interrupted`.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reason: Option<String>,
+    pub reason: Option<OpenReason>,
     /// Of an undecided one a horseshoe that is proved to be in it, if one was looked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub horseshoe: Option<ProvedHorseshoeDocument>,
@@ -144,48 +145,48 @@ impl GlobalDocument {
     /// Returns the behaviour of all motions, in one sentence.
     fn statement_of_class(&self) -> String {
         let beside = self.beside("to");
-        let undecided = self.count("undecided");
+        let undecided = self.count(ComponentKind::Undecided);
         let attractors: Vec<String> = self.components.iter().filter_map(ComponentDocument::attractor).collect();
         if self.interrupted {
             return format!("undecided: motions that stay in {}", counted(undecided, "component"));
         }
-        match self.class.as_str() {
-            "one-rest-cycle" => format!("{EVERY_MOTION} ends in {}", attractors.concat()),
-            "one-attractor" => format!("{EVERY_MOTION} tends to {}{beside}", attractors.concat()),
-            "attractors" if undecided == 0 => {
+        match self.class {
+            Class::OneRestCycle => format!("{EVERY_MOTION} ends in {}", attractors.concat()),
+            Class::OneAttractor => format!("{EVERY_MOTION} tends to {}{beside}", attractors.concat()),
+            Class::Attractors if undecided == 0 => {
                 format!("{EVERY_MOTION} tends to {}{beside}", attractors.join(", or to "))
             }
-            "attractors" => format!(
+            Class::Attractors => format!(
                 "{} proved: {}; undecided: {}motions that stay in {}",
                 counted(attractors.len() as u32, "attractor"), // shown
                 attractors.join("; "),
                 if self.has_attractors_within() { "other " } else { "" },
                 counted(undecided, "component"),
             ),
-            "closed" => {
+            Class::Closed => {
                 let closed = counted(undecided, "closed component");
                 format!(
                     "{EVERY_MOTION} is in the end in {closed} of which nothing else is decided{}",
                     self.beside("tends to")
                 )
             }
-            _ => format!("undecided: motions that stay in {}", counted(undecided, "component")),
+            Class::Undecided => format!("undecided: motions that stay in {}", counted(undecided, "component")),
         }
     }
 
-    fn count(&self, kind: &str) -> u32 {
+    fn count(&self, kind: ComponentKind) -> u32 {
         self.components.iter().filter(|component| component.kind == kind).count() as u32 // shown
     }
 
     /// Returns whether an attractor is proved to lie in an undecided component.
     fn has_attractors_within(&self) -> bool {
-        self.components.iter().any(|own| own.kind == "attracting" && own.boxes == 0)
+        self.components.iter().any(|own| own.kind == ComponentKind::Attracting && own.boxes == 0)
     }
 
     /// Returns the clause on the exceptional motions: those that tend to saddles, stay in sets of saddle type, or graze a wall for ever. What
     /// it says of saddles begins with `to`: "to" where the clause before it has the verb.
     fn beside(&self, to: &str) -> String {
-        let saddles = || self.components.iter().filter(|component| component.kind == "saddle");
+        let saddles = || self.components.iter().filter(|component| component.kind == ComponentKind::Saddle);
         let sets = saddles().filter(|saddle| saddle.orbit.is_none()).count();
         let are_symmetric =
             saddles().filter(|saddle| saddle.orbit.is_some()).all(ComponentDocument::is_its_mirror_image);
@@ -202,7 +203,7 @@ impl GlobalDocument {
             _ => clause
                 .push_str(&format!(", or stays for ever in one of {sets} sets of saddle type, at states without area")),
         }
-        if self.count("grazing") > 0 {
+        if self.count(ComponentKind::Grazing) > 0 {
             clause.push_str(", or grazes one wall for ever");
         }
         clause
@@ -219,16 +220,16 @@ impl ComponentDocument {
     fn attractor(&self) -> Option<String> {
         let cycles = counted(self.cycles.unwrap_or_default(), "forcing period");
         let mirror = if self.is_its_mirror_image() { "" } else { " or its mirror image" };
-        match self.kind.as_str() {
-            "rest-cycle" if self.cycles.is_none() => {
+        match self.kind {
+            ComponentKind::RestCycle if self.cycles.is_none() => {
                 Some(format!("one cycle with rests{mirror}, of a period that is not proved"))
             }
-            "rest-cycle" => Some(format!("one cycle with rests{mirror}, of {cycles}")),
-            "attracting" => {
+            ComponentKind::RestCycle => Some(format!("one cycle with rests{mirror}, of {cycles}")),
+            ComponentKind::Attracting => {
                 let impacts = counted(self.orbit.as_ref().map_or(0, |orbit| orbit.impacts.len()) as u32, "impact"); // shown
                 Some(format!("one periodic motion{mirror}, of {impacts} in {cycles}"))
             }
-            _ => None,
+            ComponentKind::Saddle | ComponentKind::Grazing | ComponentKind::Undecided => None,
         }
     }
 }

@@ -50,6 +50,8 @@ pub use check::*;
 pub use cycles::*;
 pub use description::*;
 pub use global::*;
+#[doc(inline)]
+pub use impact_pair_model::vocabulary;
 pub use layout::{one_a_line, write_orbit};
 pub use number::{Between, Bounds, Decimal, NotNegative, UpTo, Written, bounds};
 pub use orbit::*;

@@ -1,5 +1,8 @@
 //! The orbit JSON, schema `impact-pair/orbit/1`: one object, or JSON Lines: the head, one event per line, and last the outcome.
 
+use std::fmt;
+
+use impact_pair_model::vocabulary::ArithmeticKind;
 use impact_pair_model::{Arithmetic, Mapping, Settings, Wall};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -72,13 +75,9 @@ pub enum ClaimName {
     Shadowed,
 }
 
-impl ClaimName {
-    /// Returns the word of the JSON.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::ExactStart => "exact start",
-            Self::Shadowed => "shadowed",
-        }
+impl fmt::Display for ClaimName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
     }
 }
 
@@ -99,7 +98,7 @@ pub struct OrbitEnd {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ArithmeticDocument {
     /// Name of the arithmetic.
-    pub kind: String,
+    pub kind: ArithmeticKind,
     /// Precision of the arithmetic in bits.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub bits: Option<u32>,
@@ -112,23 +111,23 @@ impl ArithmeticDocument {
     /// Returns the requested arithmetic: `auto` does not know its precision yet.
     pub fn requested(settings: &Settings) -> Self {
         match settings.arithmetic {
-            Arithmetic::Auto => Self { kind: "auto".to_owned(), bits: None, max_bits: Some(settings.max_bits) },
-            Arithmetic::Float => Self::computed("float", f64::MANTISSA_DIGITS),
-            Arithmetic::Interval => Self::computed("interval", f64::MANTISSA_DIGITS),
-            Arithmetic::Inari => Self::computed("inari", f64::MANTISSA_DIGITS),
+            Arithmetic::Auto => Self { kind: ArithmeticKind::Auto, bits: None, max_bits: Some(settings.max_bits) },
+            Arithmetic::Float => Self::computed(ArithmeticKind::Float, f64::MANTISSA_DIGITS),
+            Arithmetic::Interval => Self::computed(ArithmeticKind::Interval, f64::MANTISSA_DIGITS),
+            Arithmetic::Inari => Self::computed(ArithmeticKind::Inari, f64::MANTISSA_DIGITS),
             Arithmetic::Shadow => Self::shadow(),
-            Arithmetic::Bits(bits) => Self::computed("multiprecision", bits),
+            Arithmetic::Bits(bits) => Self::computed(ArithmeticKind::Multiprecision, bits),
         }
     }
 
     /// Returns the arithmetic of a shadowed orbit.
     pub fn shadow() -> Self {
-        Self { kind: "shadow".to_owned(), bits: None, max_bits: None }
+        Self { kind: ArithmeticKind::Shadow, bits: None, max_bits: None }
     }
 
     /// Returns the arithmetic of an orbit.
-    pub fn computed(kind: &str, bits: u32) -> Self {
-        Self { kind: kind.to_owned(), bits: Some(bits), max_bits: None }
+    pub fn computed(kind: ArithmeticKind, bits: u32) -> Self {
+        Self { kind, bits: Some(bits), max_bits: None }
     }
 }
 

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::fmt::Display;
 
 use impact_pair_exact::{Enclosure, Exact, decimal_digits};
+use impact_pair_model::vocabulary::{OutcomeKind, Reason};
 use impact_pair_model::{Period, Wall, Word};
 use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
@@ -11,18 +12,15 @@ use serde::{Deserialize, Serialize};
 use super::number::{Between, Bounds, Decimal, Written};
 use super::periodic::PeriodicOrbitDocument;
 
-/// The reason of an orbit whose next flight has no end that is found.
-const BUDGET_REASON: &str = "budget";
-
 /// Outcome of an orbit.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OutcomeDocument {
-    /// Kind, such as `impacts-reached`.
-    pub kind: String,
-    /// Name of the reason why the motion is undecided.
+    /// Kind.
+    pub kind: OutcomeKind,
+    /// Reason why the motion is undecided.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
     /// One line in words, which follows from the other fields.
     #[serde(default)]
     pub message: String,
@@ -95,37 +93,37 @@ impl OutcomeDocument {
         Self { message, ..self }
     }
 
-    /// Returns the message; `None` if the kind is unknown, or a field is missing.
+    /// Returns the message; `None` if a field is missing.
     pub fn words(&self) -> Option<String> {
         let impacts = self.impacts?;
         // An impact whose bounds contain the requested time is listed as well.
         let later = self.may_be_later.map_or(String::new(), |later| format!(", of which {later} may come later"));
         let (shadowed, after) = (self.shadowed(), after(impacts));
         let so_far = format!("{}{shadowed}{later}", counted(impacts, "impact"));
-        Some(match self.kind.as_str() {
-            "impacts-reached" => so_far,
-            "time-reached" => {
+        Some(match self.kind {
+            OutcomeKind::ImpactsReached => so_far,
+            OutcomeKind::TimeReached => {
                 self.until.as_ref()?;
                 let listed = counted(impacts, "impact");
                 format!("{listed} listed{shadowed}{later}; no other event up to the requested time")
             }
-            "periodic" => {
+            OutcomeKind::Periodic => {
                 let Period { cycles, impacts } = self.period?;
                 format!("{so_far}; proved to repeat exactly for ever, {}", every(impacts, "listed impact", cycles))
             }
-            "attracted" => {
+            OutcomeKind::Attracted => {
                 let (word, from) = (self.word.as_ref()?, self.from?);
                 let impacts = word.parse::<Word>().ok()?.mappings().len() as u64; // exact: a length
                 let every = every(impacts, "impact", self.cycles?.into());
                 format!("{so_far}; proved to converge to a stable orbit of {every} ({word}), from impact {from} on")
             }
-            "rests-forever" => {
+            OutcomeKind::RestsForever => {
                 let at_rest = format!("at rest on the {} wall for ever", self.wall?.name());
                 if impacts == 0 { at_rest } else { format!("{after} {at_rest}") }
             }
-            "never-impacts" if impacts == 0 => "no wall is ever touched".into(),
-            "never-impacts" => format!("{after} no wall is ever touched again"),
-            "undecided" => {
+            OutcomeKind::NeverImpacts if impacts == 0 => "no wall is ever touched".into(),
+            OutcomeKind::NeverImpacts => format!("{after} no wall is ever touched again"),
+            OutcomeKind::Undecided => {
                 let why = self.explanation()?;
                 let wall = self.wall.map_or(String::new(), |wall| format!("{} wall, ", wall.name()));
                 let time = match &**self.time.as_ref()? {
@@ -135,7 +133,6 @@ impl OutcomeDocument {
                 };
                 format!("undecided {after}: {why} ({wall}{time})")
             }
-            _ => return None,
         })
     }
 
@@ -149,18 +146,17 @@ impl OutcomeDocument {
 
     /// Returns what its reason means, if it is undecided.
     pub fn explanation(&self) -> Option<&'static str> {
-        Some(match self.reason.as_deref()? {
-            "graze" => "a wall may be touched with zero velocity",
-            "width" => "the set of states has become too wide to decide",
-            "precision" => "the next impact cannot be enclosed to the requested digits",
-            BUDGET_REASON => "the flight is too long to follow, or has no provable end",
-            _ => return None,
+        Some(match self.reason? {
+            Reason::Graze => "a wall may be touched with zero velocity",
+            Reason::Width => "the set of states has become too wide to decide",
+            Reason::Precision => "the next impact cannot be enclosed to the requested digits",
+            Reason::Budget => "the flight is too long to follow, or has no provable end",
         })
     }
 
     /// Returns whether it is undecided because the next flight has no end that is found: neither more impacts nor more bits help.
     pub fn is_endless(&self) -> bool {
-        self.reason.as_deref() == Some(BUDGET_REASON)
+        self.reason == Some(Reason::Budget)
     }
 
     /// Returns the distances of the impacts of a shadowed orbit from the listed ones, in words that follow their number; else an empty text.
@@ -174,7 +170,7 @@ impl OutcomeDocument {
 
     /// Returns the message of an interrupted orbit, which ends undecided as well.
     pub fn interruption(&self) -> Option<String> {
-        let is_one = self.kind == "undecided" && self.is_endless() && self.wall.is_none();
+        let is_one = self.kind == OutcomeKind::Undecided && self.is_endless() && self.wall.is_none();
         Some(format!("interrupted {}", after(self.impacts.filter(|_| is_one)?)))
     }
 }

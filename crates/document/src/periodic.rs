@@ -1,6 +1,7 @@
 //! The periodic JSON, schema `impact-pair/periodic/1`, that of two-impact motions, and the parameter manifolds of figures 10 and 11.
 
 use impact_pair_model::Wall;
+use impact_pair_model::vocabulary::{Excludes, ManifoldAxis, Mark, Reason, Sign, SolvedFor, Stability};
 use serde::{Deserialize, Serialize};
 
 use super::number::Bounds;
@@ -8,8 +9,6 @@ use super::scene::SceneDocument;
 
 /// The schema of the periodic JSON.
 pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
-/// The motions that no search covers: motions with sticking.
-pub const RESTING: &str = "motions that rest";
 /// The schema of the parameter manifolds.
 pub const MANIFOLD_SCHEMA: &str = "impact-pair/manifold/1";
 
@@ -29,7 +28,7 @@ pub struct PeriodicDocument {
     pub exhaustive: bool,
     /// The motions not covered if the list is exhaustive: `motions that rest` (with sticking).
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub excludes: Option<String>,
+    pub excludes: Option<Excludes>,
     /// Whether everything requested is proved.
     pub certified: bool,
     /// The orbits.
@@ -46,7 +45,7 @@ pub struct RegionDocument {
     /// Bounds of its impacts.
     pub impacts: Vec<MeasuredImpact>,
     /// Reason why the orbit is not proved.
-    pub reason: String,
+    pub reason: Reason,
 }
 
 /// A periodic orbit.
@@ -71,13 +70,13 @@ pub struct PeriodicOrbitDocument {
     /// Eigenvalues of the derivative of the orbit's map.
     pub eigenvalues: Option<[EigenvalueDocument; 2]>,
     /// `stable`, `unstable`, `elliptic` (with `e = 1`: both eigenvalues lie on the unit circle, apart and not real) or `undecided`.
-    pub stability: String,
+    pub stability: Stability,
     /// For a two-impact motion: `th1 - th0` from left to right \[rad\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub spacing: Option<Bounds>,
     /// For a two-impact motion: the sign of `sin th0` on the left wall.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub sine: Option<Option<String>>,
+    pub sine: Option<Option<Sign>>,
     /// `A`, if solved for \[length\].
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub amplitude: Option<Bounds>,
@@ -148,12 +147,12 @@ pub struct TwoImpactDocument {
     /// `N`
     pub cycles: u32,
     /// `velocity`, `amplitude` or `gap`.
-    pub solved_for: String,
+    pub solved_for: SolvedFor,
     /// Whether the list is complete, apart from what it `excludes`.
     pub exhaustive: bool,
     /// The motions not covered if the list is exhaustive: `motions that rest` (with sticking).
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub excludes: Option<String>,
+    pub excludes: Option<Excludes>,
     /// Whether all that was requested is proved: of each motion that there is no other one in its bounds, whether it is admissible, and its
     /// stability; and of a search that there are no other ones.
     pub certified: bool,
@@ -182,7 +181,7 @@ pub struct ManifoldDocument {
     /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
     pub scene: SceneDocument,
     /// The parameter that varies.
-    pub over: String,
+    pub over: ManifoldAxis,
     /// Whether everything requested is present; everything present is proved.
     pub certified: bool,
     /// Whether it was interrupted: points at the end of the last curve, or later curves, are missing.
@@ -215,7 +214,7 @@ pub struct ManifoldPointDocument {
     /// Amplitude `A` at the point \[length\].
     pub amplitude: Bounds,
     /// The change at this point: a bifurcation, an end.
-    pub mark: Option<String>,
+    pub mark: Option<Mark>,
     /// What is proved from here to the next point.
     pub after: Option<PartDocument>,
 }
@@ -225,9 +224,9 @@ pub struct ManifoldPointDocument {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct PartDocument {
     /// The sign of `sin th0` on the left wall.
-    pub sine: String,
+    pub sine: Sign,
     /// Whether the motion is admissible: no wall is touched earlier.
     pub physical: bool,
     /// `stable`, `unstable` or `undecided`.
-    pub stability: String,
+    pub stability: Stability,
 }

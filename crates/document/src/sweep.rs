@@ -1,6 +1,7 @@
 //! The sweep JSON Lines, schema `impact-pair/sweep/1`: a head, and one record per point.
 
 use impact_pair_model::Wall;
+use impact_pair_model::vocabulary::{NoExponent, PointOutcome, Reason};
 use serde::{Deserialize, Serialize};
 
 use super::number::Between;
@@ -80,9 +81,9 @@ pub struct SweepRecord {
     /// The exact values, one per axis.
     pub values: Vec<String>,
     /// Outcome of the orbit.
-    pub outcome: String,
-    /// Name of the reason why the point is undecided.
-    pub reason: Option<String>,
+    pub outcome: PointOutcome,
+    /// Reason why the point is undecided.
+    pub reason: Option<Reason>,
     /// One line in words.
     pub message: String,
     /// The start that its orbit belongs to, if not the exact one.
@@ -120,7 +121,7 @@ pub struct SweepExponent {
     /// Exponent per forcing period of the `reference`.
     pub per_cycle: Option<ExtendedBounds>,
     /// Reason why the exponent has no bounds.
-    pub reason: Option<String>,
+    pub reason: Option<NoExponent>,
 }
 
 /// A period.

@@ -1,5 +1,6 @@
 //! The JSON of windows of stable periodic orbits, schema `impact-pair/windows/1`.
 
+use impact_pair_model::vocabulary::Bifurcation;
 use serde::{Deserialize, Serialize};
 
 use super::bifurcation::ParameterRange;
@@ -50,7 +51,7 @@ pub struct WindowDocument {
     /// Bounds of the upper end; `null` where it is not proved.
     pub to: Option<Bounds>,
     /// What happens at the lower end and at the upper one: `fold`, `period-doubling`, `pitchfork`; `null` where it is not proved.
-    pub ends: [Option<String>; 2],
+    pub ends: [Option<Bifurcation>; 2],
     /// Whether it is proved that for every value between the bounds of both ends there is a stable, admissible orbit of the word, and that one
     /// curve of such orbits leads from one end through `orbit` to the other.
     pub stable_between: bool,

@@ -15,6 +15,7 @@ mod period;
 pub mod scene;
 mod settings;
 mod start;
+pub mod vocabulary;
 pub mod watch;
 
 pub use effort::Effort;

@@ -1,5 +1,7 @@
 //! The impact pair of figure 1: excitation, gap, restitution, and their dimensionless form.
 
+use std::fmt;
+
 use crate::error::Error;
 use crate::excitation::{Excitation, Harmonic};
 use impact_pair_exact::Exact;
@@ -14,6 +16,12 @@ pub enum Wall {
     Left,
     /// `y = +d/2`: switch-plane Sigma+, arrivals with `v >= 0`.
     Right,
+}
+
+impl fmt::Display for Wall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
 }
 
 impl Wall {

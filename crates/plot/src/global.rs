@@ -90,8 +90,8 @@ fn name(found: &Global, component: usize) -> String {
         Kind::RestCycle(Some(rest)) => format!("{number} (cycle with rests, {})", counted(rest.cycles, "cycle")),
         Kind::RestCycle(None) => format!("{number} (cycle with rests)"),
         kind => match kind.limit() {
-            Some(limit) => format!("{number} ({}, {})", kind.name(), counted(limit.problem.chain().cycles(), "cycle")),
-            None => format!("{number} ({})", kind.name()),
+            Some(limit) => format!("{number} ({}, {})", kind.kind(), counted(limit.problem.chain().cycles(), "cycle")),
+            None => format!("{number} ({})", kind.kind()),
         },
     }
 }

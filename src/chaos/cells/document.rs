@@ -31,7 +31,7 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
     let plain = StretchDocument {
         low: (&stretch.low).into(),
         high: (&stretch.high).into(),
-        verdict: stretch.verdict.name().to_owned(),
+        verdict: stretch.verdict.kind(),
         entropy: None,
         bases: Vec::new(),
         period: None,

@@ -91,7 +91,10 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
     }
     let nothing = Seed { bases: vec![HSet::new([0.3, 9.0], [0.001, 0.001], [-0.001, 0.001])], ..seed };
     let left = work.walked(&nothing, given, true).unwrap();
-    assert_eq!(left.iter().map(|stretch| stretch.verdict.name()).collect::<Vec<_>>(), ["undecided", "stable"]);
+    assert_eq!(
+        left.iter().map(|stretch| stretch.verdict.kind().to_string()).collect::<Vec<_>>(),
+        ["undecided", "stable"]
+    );
 }
 
 /// Lemma D14: downward as well, and in the order of the values.
@@ -103,12 +106,12 @@ fn a_stretch_below_is_decided_by_the_h_sets_of_a_neighbour() {
     let given = vec![stretch("7.33", "7.36", stable("P1 P2")), stretch("7.36", "7.38", Verdict::Undecided)];
     let found = work.walked(&Seed { value: "7.38".parse().unwrap(), bases: bases() }, given, false).unwrap();
     assert_eq!(
-        (found[0].verdict.name(), found[0].low.text(), found[0].high.text()),
-        ("stable", "7.33".into(), "7.36".into())
+        (found[0].verdict.kind(), found[0].low.text(), found[0].high.text()),
+        (StretchVerdict::Stable, "7.33".into(), "7.36".into())
     );
     assert!(found.windows(2).all(|pair| pair[0].high.text() == pair[1].low.text()));
     let last = found.last().unwrap();
-    assert_eq!((last.verdict.name(), last.high.text()), ("horseshoe", "7.38".into()));
+    assert_eq!((last.verdict.kind(), last.high.text()), (StretchVerdict::Horseshoe, "7.38".into()));
 }
 
 /// Lemmas D14, D15: neighbours of which the same is proved are one, also where one gives several rounds of the orbit; others are not.

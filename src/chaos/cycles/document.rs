@@ -32,7 +32,7 @@ impl Cycles {
         let open = |(impacts, region): &(usize, Region)| OpenCycleDocument {
             reduced_impacts: *impacts as u32,
             impacts: region.impacts.iter().map(|impact| units.impact(impact, (f64::MANTISSA_DIGITS, 1))).collect(),
-            reason: region.reason.name().to_owned(),
+            reason: region.reason,
         };
         let all = found.ok();
         let (cycles, undecided) = (all.map_or(&[][..], Self::cycles), all.map_or(&[][..], Self::undecided));

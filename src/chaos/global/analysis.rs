@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::graph::{Component, Graph, Recurrent, Stopped};
 use super::image::Space;
 use super::known::{self, Kind, LimitCycle, Released};
-use super::{GlobalSettings, Reason, Recurrence, attractors, cycle, horseshoes, saddles};
+use super::{GlobalSettings, OpenReason, Recurrence, attractors, cycle, horseshoes, saddles};
 use crate::chaos::trap::Grid;
 use crate::pair::ImpactPair;
 use crate::watch::Watch;
@@ -50,7 +50,7 @@ pub(super) struct Analysis<'a> {
     mapped: usize,
     work: u64,
     /// The limit or the interruption that ended it while components could still be refined; `None` if neither did.
-    stopped: Option<Reason>,
+    stopped: Option<OpenReason>,
 }
 
 impl<'a> Analysis<'a> {
@@ -63,7 +63,7 @@ impl<'a> Analysis<'a> {
         let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
         while let Some(Reverse((boxes, node))) = waiting.pop() {
             if analysis.mapped + 2 * boxes > analysis.request.settings.most {
-                analysis.stopped = Some(Reason::Most);
+                analysis.stopped = Some(OpenReason::Most);
                 break;
             }
             let children = analysis.refine(node);
@@ -79,7 +79,7 @@ impl<'a> Analysis<'a> {
 
     /// Whether the analysis was interrupted.
     pub fn is_interrupted(&self) -> bool {
-        self.stopped == Some(Reason::Interrupted)
+        self.stopped == Some(OpenReason::Interrupted)
     }
 
     /// Components that are left, those first from which motions may go on to others.
@@ -236,13 +236,13 @@ impl<'a> Analysis<'a> {
         let Grid { columns, rows } = component.grid;
         let boxes = component.cells.len();
         let area = boxes as f64 / (columns as f64 * rows * self.request.space.fastest()); // shown
-        let limits = || if self.is_refined(node) { self.stopped } else { Some(Reason::Halvings) };
+        let limits = || if self.is_refined(node) { self.stopped } else { Some(OpenReason::Halvings) };
         let reason = if kind.is_undecided() { limits() } else { None };
         Recurrence { kind: kind.clone(), boxes, area, is_closed: component.is_closed, reason, horseshoe: None }
     }
 }
 
-impl From<Stopped> for Reason {
+impl From<Stopped> for OpenReason {
     fn from(stopped: Stopped) -> Self {
         match stopped {
             Stopped::Interrupted => Self::Interrupted,

@@ -30,7 +30,7 @@ impl Global {
             program: PROGRAM.to_owned(),
             certified: !self.interrupted && matches!(class, Class::OneRestCycle | Class::OneAttractor),
             scene: SceneDocument::new(scene.pair(), scene.start()),
-            class: class.name().to_owned(),
+            class,
             statement: String::new(),
             greatest_speed: Decimal::printed(decimal_f64(self.fastest)),
             boxes: settings.boxes,
@@ -66,7 +66,7 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
         _ => (limit.map(|limit| limit.problem.chain().cycles()), None),
     };
     Ok(ComponentDocument {
-        kind: found.kind.name().to_owned(),
+        kind: found.kind.kind(),
         reduced_impacts: limit.map(|limit| limit.impacts as u32),
         word: limit.map(|limit| limit.problem.word().to_string()),
         cycles,
@@ -75,7 +75,7 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
         boxes: found.boxes as u64,
         area: Decimal::printed(format!("{:.6}", found.area)),
         closed: found.is_closed,
-        reason: found.reason.map(|reason| reason.name().to_owned()),
+        reason: found.reason,
         horseshoe: found.horseshoe.as_ref().zip(settings.horseshoes).map(|(found, depth)| horseshoe(found, depth)),
         orbit,
     })

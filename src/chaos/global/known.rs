@@ -1,6 +1,8 @@
 //! Proved properties of components: cycles with their periods, the cycle with rests, and the grazing state. Lemmas A7-A9 of
 //! `docs/proofs/global.md#A7`.
 
+use impact_pair_model::vocabulary::ComponentKind;
+
 use super::cycle::Limit;
 use super::graph::{Component, Release};
 use super::image::{Next, Space, ends};
@@ -34,14 +36,14 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Name of the kind in the JSON output.
-    pub fn name(&self) -> &'static str {
+    /// The kind in the JSON output.
+    pub fn kind(&self) -> ComponentKind {
         match self {
-            Self::Attracting(_) => "attracting",
-            Self::Saddle(_) | Self::SaddleSet => "saddle",
-            Self::RestCycle(_) => "rest-cycle",
-            Self::Grazing => "grazing",
-            Self::Undecided => "undecided",
+            Self::Attracting(_) => ComponentKind::Attracting,
+            Self::Saddle(_) | Self::SaddleSet => ComponentKind::Saddle,
+            Self::RestCycle(_) => ComponentKind::RestCycle,
+            Self::Grazing => ComponentKind::Grazing,
+            Self::Undecided => ComponentKind::Undecided,
         }
     }
 

@@ -32,6 +32,7 @@ use analysis::{Analysis, Request};
 pub use basins::{Basin, BasinOutcome, Patch};
 pub(super) use cycle::closed;
 use image::Space;
+pub use impact_pair_model::vocabulary::{Class, OpenReason};
 use known::Released;
 pub use known::{Kind, LimitCycle, RestCycle};
 
@@ -132,7 +133,7 @@ pub struct Recurrence {
     /// `true` if its motions are never in another component later, apart from an attractor inside it: it is an attracting block.
     pub is_closed: bool,
     /// The limit that stopped its refinement, if nothing is proved of it.
-    pub reason: Option<Reason>,
+    pub reason: Option<OpenReason>,
     /// The horseshoe that is proved to be in it, of one of which nothing else is.
     pub horseshoe: Option<Horseshoe>,
 }
@@ -141,31 +142,6 @@ impl Recurrence {
     /// The component of a motion that has no boxes of its own.
     fn point(kind: Kind) -> Self {
         Self { kind, boxes: 0, area: 0.0, is_closed: true, reason: None, horseshoe: None }
-    }
-}
-
-/// The limit that leaves a component undecided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// The number of boxes that are mapped in all.
-    Most,
-    /// The number of halvings.
-    Halvings,
-    /// The work of the images.
-    Work,
-    /// The analysis was interrupted.
-    Interrupted,
-}
-
-impl Reason {
-    /// Name of the reason in the JSON output.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Most => "most",
-            Self::Halvings => "halvings",
-            Self::Work => "work",
-            Self::Interrupted => "interrupted",
-        }
     }
 }
 
@@ -187,35 +163,6 @@ pub struct Global {
     pub speed_unit: f64,
     /// `true` if it was interrupted: components may not be refined.
     pub interrupted: bool,
-}
-
-/// The class of a pair: the ends of all its motions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// Every motion that touches a wall ends in one cycle with rests.
-    OneRestCycle,
-    /// Every motion that touches a wall tends to one attractor, or stays at saddles or grazing states.
-    OneAttractor,
-    /// Attractors are proved, and others may exist.
-    Attractors,
-    /// Every motion that touches a wall is in the end in closed components of which nothing else is known, or stays at saddles or grazing
-    /// states.
-    Closed,
-    /// Nothing of these.
-    Undecided,
-}
-
-impl Class {
-    /// Name of the class in the JSON output.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::OneRestCycle => "one-rest-cycle",
-            Self::OneAttractor => "one-attractor",
-            Self::Attractors => "attractors",
-            Self::Closed => "closed",
-            Self::Undecided => "undecided",
-        }
-    }
 }
 
 impl Global {

@@ -1,5 +1,6 @@
 //! The images of boxes against an impact map in floating point, and pairs whose motions are known.
 
+use impact_pair_model::vocabulary::{ComponentKind, OpenReason};
 use proptest::prelude::*;
 
 use std::f64::consts::TAU;
@@ -20,8 +21,8 @@ fn global(ratio: &str, restitution: &str) -> Global {
     Global::of(&pair(ratio, restitution), &GlobalSettings::default(), &Unwatched).unwrap()
 }
 
-fn kinds(found: &Global) -> Vec<&'static str> {
-    found.components.iter().map(|component| component.kind.name()).collect()
+fn kinds(found: &Global) -> Vec<ComponentKind> {
+    found.components.iter().map(|component| component.kind.kind()).collect()
 }
 
 /// The boxes that are noted of the box of a state, and whether the release is.
@@ -170,7 +171,8 @@ fn a14_an_attractor_is_in_the_boxes_of_its_component() {
     let few = GlobalSettings { boxes: 1 << 8, halvings: 1, most: 2_000, ..GlobalSettings::default() };
     let found = Global::of(&pair("0.15", "0.5"), &few, &Unwatched).unwrap();
     assert!(found.components.iter().filter(|own| own.kind.is_undecided()).count() > 1);
-    let point = found.components.iter().position(|own| own.kind.name() == "attracting" && own.boxes == 0).unwrap();
+    let point =
+        found.components.iter().position(|own| own.kind.kind() == ComponentKind::Attracting && own.boxes == 0).unwrap();
     let within: Vec<usize> = found.order.iter().filter(|[_, to]| *to == point).map(|[from, _]| *from).collect();
     assert_eq!(within.len(), 1);
     let holding: Vec<usize> = (0..point).filter(|&place| is_in_boxes(&found, place, point)).collect();
@@ -182,7 +184,7 @@ fn a14_an_attractor_is_in_the_boxes_of_its_component() {
 fn one_cycle_with_rests_is_where_all_motions_end() {
     for (ratio, restitution) in [("2", "0.2"), ("[2, 2.02]", "[0.2, 0.205]")] {
         let found = global(ratio, restitution);
-        assert_eq!((found.class(), kinds(&found)), (Class::OneRestCycle, vec!["rest-cycle"]), "{ratio}");
+        assert_eq!((found.class(), kinds(&found)), (Class::OneRestCycle, vec![ComponentKind::RestCycle]), "{ratio}");
         assert_eq!(found.basins(), None);
         let Kind::RestCycle(Some(rest)) = found.components[0].kind else { panic!("no cycle with rests") };
         // Figure 2 is the mirror of itself: one forcing period.
@@ -214,11 +216,11 @@ fn two_attractors_of_figure_12_are_found_without_a_start() {
     let settings = GlobalSettings { most: 60_000, ..GlobalSettings::default() };
     let found = Global::of(&pair("1/(3*pi)", "0.5"), &settings, &Unwatched).unwrap();
     assert_eq!(found.class(), Class::Attractors);
-    let attracting = found.components.iter().find(|own| own.kind.name() == "attracting").unwrap();
+    let attracting = found.components.iter().find(|own| own.kind.kind() == ComponentKind::Attracting).unwrap();
     let limit = attracting.kind.limit().unwrap();
     let (low, high) = limit.spectral_radius.to_f64_bounds();
     assert!(attracting.is_closed && limit.impacts == 1 && low <= 0.5 && high >= 0.5 && high - low < 1e-3);
-    assert!(kinds(&found).contains(&"rest-cycle") && kinds(&found).contains(&"saddle"));
+    assert!(kinds(&found).contains(&ComponentKind::RestCycle) && kinds(&found).contains(&ComponentKind::Saddle));
     a_second_round_is_in_the_rectangles_of_the_first(&limit.orbit);
 }
 
@@ -274,7 +276,7 @@ fn an_analysis_stops_where_its_work_is_spent() {
     }
     let (short, enough) = (of(low), of(high));
     assert!(short.class() != Class::OneRestCycle && enough.class() == Class::OneRestCycle);
-    assert!(short.components.iter().any(|own| own.reason == Some(Reason::Work)));
+    assert!(short.components.iter().any(|own| own.reason == Some(OpenReason::Work)));
     assert_eq!(of(1).class(), Class::Undecided);
     assert!(enough.components.iter().all(|own| own.reason.is_none()));
 }
@@ -289,9 +291,9 @@ fn undecided_components_name_their_limit() {
         let found = Global::of(&pair("1/(3*pi)", "0.5"), settings, watch).unwrap();
         let undecided: Vec<_> = found.components.iter().filter(|own| own.kind.is_undecided()).collect();
         assert!(!undecided.is_empty());
-        undecided.iter().map(|own| own.reason.unwrap().name()).collect::<Vec<_>>()
+        undecided.iter().map(|own| own.reason.unwrap().to_string()).collect::<Vec<_>>()
     };
-    let all = |reasons: &[&str], one: &str| reasons.iter().all(|reason| *reason == one);
+    let all = |reasons: &[String], one: &str| reasons.iter().all(|reason| *reason == one);
     assert!(all(&reasons(&GlobalSettings { most: 1_000, ..few }, &Unwatched), "most"));
     assert!(all(&reasons(&GlobalSettings { halvings: 0, ..few }, &Unwatched), "halvings"));
     assert!(all(&reasons(&GlobalSettings { work: 1, ..few }, &Unwatched), "work"));
@@ -320,7 +322,7 @@ fn basins_take_no_more_work_than_allowed() {
 fn r42_a_cycle_with_rests_that_32_bits_do_not_count_is_not_listed() {
     let settings = GlobalSettings { boxes: 1 << 8, most: 10, ..GlobalSettings::default() };
     let found = Global::of(&pair("1e-11", "0"), &settings, &Unwatched).unwrap();
-    assert!(!kinds(&found).contains(&"rest-cycle"), "{:?}", kinds(&found));
+    assert!(!kinds(&found).contains(&ComponentKind::RestCycle), "{:?}", kinds(&found));
 }
 
 /// Rows of fast motions were numbered beyond 32 bits with `--halvings 40`, and what landed there was left out.

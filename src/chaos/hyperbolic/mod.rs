@@ -30,7 +30,7 @@ use crate::threads::each;
 use crate::watch::{Stage, Watch};
 use cones::Proved;
 use frame::Frame;
-pub use left_out::LeftOut;
+pub use left_out::{LeftOut, why_left_out};
 use root::{Edge, ratios, root};
 use strings::{EMPTY_BOUNDS, Strings, ends, hull, spanned};
 use strip::{Branch, Map};

@@ -18,7 +18,7 @@ impl Windows {
         let key = self.over.key().place();
         let window = |FoundWindow { impacts, flights, window }: &FoundWindow| -> Result<WindowDocument, Error> {
             let [from, to] = window.ends.each_ref().map(|end| end.as_ref().map(|end| bounds(&end.parameter)));
-            let kind = |end: &Option<WindowEnd>| end.as_ref().map(|end| end.point.kind.name().to_owned());
+            let kind = |end: &Option<WindowEnd>| end.as_ref().map(|end| end.point.kind);
             let problem = &window.problem;
             Ok(WindowDocument {
                 key: key.clone(),

@@ -8,6 +8,7 @@ use crate::exact::{Enclosure, Exact, decimal_bounds_f64};
 use crate::orbit::{Orbit, Outcome, Shadowing};
 use crate::periodic::Attractor;
 use crate::periodic::document::{measured, periodic_orbit};
+use impact_pair_model::vocabulary::OutcomeKind;
 
 /// The end of an orbit: the `outcome` of the orbit JSON.
 #[derive(Clone, Debug)]
@@ -20,7 +21,7 @@ impl Conclusion {
     /// Returns the conclusion of an orbit that has ended; that of an interrupted one otherwise. `last` is its last event.
     pub fn of(orbit: &Orbit, last: Option<&Event>) -> Self {
         let plain = OutcomeDocument {
-            kind: orbit.outcome().map_or("undecided", Outcome::kind).to_owned(),
+            kind: orbit.outcome().map_or(OutcomeKind::Undecided, Outcome::kind),
             impacts: Some(orbit.listed()),
             until: orbit.listed_until().map(Written::from),
             may_be_later: orbit.listed_until().and_then(|until| later(orbit, until)),
@@ -110,7 +111,7 @@ fn undecided(
         None => [Some(bounds(from)[0].clone()), None],
     };
     let time = Between::computed(time);
-    OutcomeDocument { reason: Some(reason.name().to_owned()), time: Some(time), ..plain }
+    OutcomeDocument { reason: Some(reason), time: Some(time), ..plain }
 }
 
 /// Bits that show the time of a start.

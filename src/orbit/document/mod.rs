@@ -17,6 +17,7 @@ use crate::watch::{Unwatched, Watch};
 pub use conclusion::Conclusion;
 pub use ending::Ending;
 pub use event::{Bounds, Event, Events};
+use impact_pair_model::vocabulary::ArithmeticKind;
 
 impl Orbit {
     /// Follows the orbit to its end, and returns it as a document.
@@ -81,10 +82,10 @@ impl Orbit {
     pub fn computed(&self) -> ArithmeticDocument {
         let kind = match (self.arithmetic(), self.bits()) {
             (Arithmetic::Shadow, _) if self.shadow().is_some() => return ArithmeticDocument::shadow(),
-            (Arithmetic::Float, _) => "float",
-            (Arithmetic::Inari, _) => "inari",
-            (_, f64::MANTISSA_DIGITS) => "interval",
-            _ => "multiprecision",
+            (Arithmetic::Float, _) => ArithmeticKind::Float,
+            (Arithmetic::Inari, _) => ArithmeticKind::Inari,
+            (_, f64::MANTISSA_DIGITS) => ArithmeticKind::Interval,
+            _ => ArithmeticKind::Multiprecision,
         };
         ArithmeticDocument::computed(kind, self.bits())
     }

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use super::super::chain::Chain;
 use super::super::of_word;
 use super::claim::{Setting, prove};
-use super::diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
+use super::diagram::{Branch, BranchEnd, Diagram, DiagramSettings, Unproved};
 use super::family::{Family, Varied};
 use super::follow::{Change, Path, Stop, follow};
 use super::over::Parameter;
@@ -158,11 +158,11 @@ impl<S: Varied> Survey<'_, S> {
                 continue;
             }
             let back = lead.start.reversed();
-            let mut ends = [End::Lost; 2];
+            let mut ends = [BranchEnd::Lost; 2];
             let mut range = [f64::INFINITY, f64::NEG_INFINITY];
             let mut both_starts = vec![lead.start.clone()];
             match lead.leaves {
-                Some(kind) => ends[1] = End::At(kind),
+                Some(kind) => ends[1] = BranchEnd::at(kind),
                 None => both_starts.push(back),
             }
             // All the way from one end to the other.
@@ -177,12 +177,12 @@ impl<S: Varied> Survey<'_, S> {
                     range = [range[0].min(p), range[1].max(p)]; // shown
                 }
                 self.followed.push((lead.ring.clone(), path));
-                if *end == End::Closed {
+                if *end == BranchEnd::Closed {
                     break;
                 }
             }
-            if ends[0] == End::Closed {
-                ends[1] = End::Closed;
+            if ends[0] == BranchEnd::Closed {
+                ends[1] = BranchEnd::Closed;
             }
             let is_proved = is_one_curve(&lead.ring, (&self.floats, &self.setting.doubles()), &whole, self.watch);
             let range = [range[0].max(self.range[0]), range[1].min(self.range[1])]; // shown
@@ -192,7 +192,7 @@ impl<S: Varied> Survey<'_, S> {
     }
 
     /// Proves the changes of a path, and takes up the branches that leave there. Returns the end of the path, and the parameter at each change.
-    fn prove_changes(&mut self, lead: &Lead, path: &Path) -> (End, Vec<f64>) {
+    fn prove_changes(&mut self, lead: &Lead, path: &Path) -> (BranchEnd, Vec<f64>) {
         let (mut last, mut met) = (None, Vec::new());
         for (change, x) in &path.changes {
             let joined = match change {
@@ -232,11 +232,11 @@ impl<S: Varied> Survey<'_, S> {
             }
         }
         let end = match path.stop {
-            Stop::Range => End::Range,
-            Stop::Loop => End::Closed,
-            Stop::Change => last.map_or(End::Lost, End::At),
-            Stop::Lost => End::Lost,
-            Stop::Interrupted => End::Interrupted,
+            Stop::Range => BranchEnd::Range,
+            Stop::Loop => BranchEnd::Closed,
+            Stop::Change => last.map_or(BranchEnd::Lost, BranchEnd::at),
+            Stop::Lost => BranchEnd::Lost,
+            Stop::Interrupted => BranchEnd::Interrupted,
         };
         (end, met)
     }

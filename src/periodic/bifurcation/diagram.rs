@@ -8,6 +8,7 @@ use crate::exact::Enclosure;
 use crate::mapping::Word;
 use crate::pair::ImpactPair;
 use crate::scene::Range;
+pub use impact_pair_model::vocabulary::BranchEnd;
 
 /// The settings of a search for bifurcations.
 #[derive(Clone, Debug)]
@@ -31,21 +32,6 @@ pub struct Unproved {
     pub word: Word,
 }
 
-/// The end of a followed branch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
-    /// The range of the parameter ends.
-    Range,
-    /// At a bifurcation of this kind.
-    At(Kind),
-    /// Nowhere: it closes.
-    Closed,
-    /// The branch breaks off before the range ends.
-    Lost,
-    /// The branch was not followed further, at the caller's request.
-    Interrupted,
-}
-
 /// A branch as it was followed.
 #[derive(Clone, Debug)]
 pub struct Branch {
@@ -58,7 +44,7 @@ pub struct Branch {
     /// Approximate least and greatest value along the branch, in the units of [`Point::parameter`].
     pub range: [f64; 2],
     /// Ends of the branch.
-    pub ends: [End; 2],
+    pub ends: [BranchEnd; 2],
     /// `true` if it is proved to be one curve all the way, each orbit of it the only one near it (Lemma Y6).
     pub is_proved: bool,
 }
@@ -108,7 +94,7 @@ impl Diagram {
 
     /// Whether each change of sign that was met is proved to be a bifurcation, to the requested width, and each branch was followed to its end.
     pub fn is_certified(&self) -> bool {
-        let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != End::Lost);
+        let ends = |branch: &Branch| branch.ends.iter().all(|&end| end != BranchEnd::Lost);
         !self.interrupted
             && self.unproved.is_empty()
             && self.points.iter().all(|point| point.is_narrow && point.is_decided())

@@ -6,7 +6,7 @@ use impact_pair_document::{
 };
 use impact_pair_model::Start;
 
-use super::{Branch, Diagram, End, Point, Unproved};
+use super::{Branch, Diagram, Point, Unproved};
 use crate::Error;
 use crate::mapping::Word;
 use crate::periodic::document::periodic_orbit;
@@ -46,12 +46,11 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
             unique: true,
             symmetric: point.symmetric,
             times: Some(1),
-            stability: "undecided".to_owned(),
             ..PeriodicOrbitDocument::default()
         },
     };
     Ok(BifurcationPointDocument {
-        kind: point.kind.name().to_owned(),
+        kind: point.kind,
         parameter: bounds(&parameter),
         word: point.word.to_string(),
         cycles: point.cycles,
@@ -61,24 +60,17 @@ fn point(point: &Point, diagram: &Diagram) -> Result<BifurcationPointDocument, E
 }
 
 fn branch(branch: &Branch, diagram: &Diagram) -> BranchDocument {
-    let end = |end: End| match end {
-        End::Range => "range",
-        End::At(kind) => kind.name(),
-        End::Closed => "closed",
-        End::Lost => "lost",
-        End::Interrupted => "interrupted",
-    };
     BranchDocument {
         word: branch.word.to_string(),
         cycles: branch.cycles,
         symmetric: branch.symmetric,
         parameter: diagram.range_f64(branch.range),
-        ends: branch.ends.map(|reached| end(reached).to_owned()),
+        ends: branch.ends,
         proved: branch.is_proved,
     }
 }
 
 fn unproved(unproved: &Unproved, diagram: &Diagram) -> UnprovedDocument {
     let [near, _] = diagram.range_f64([unproved.near; 2]);
-    UnprovedDocument { kind: unproved.kind.name().to_owned(), near, word: unproved.word.to_string() }
+    UnprovedDocument { kind: unproved.kind, near, word: unproved.word.to_string() }
 }

@@ -27,7 +27,7 @@ mod window;
 
 pub use branch::WindowSeed;
 pub use cascade::survey;
-pub use diagram::{Branch, Diagram, DiagramSettings, End, Unproved};
+pub use diagram::{Branch, BranchEnd, Diagram, DiagramSettings, Unproved};
 pub(crate) use jet::Jet;
 pub use over::{PARAMETERS, is_parameter, over};
 pub use point::{Kind, Point};

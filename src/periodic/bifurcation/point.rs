@@ -3,32 +3,7 @@
 use super::super::orbit::{PeriodicImpact, PeriodicOrbit};
 use crate::exact::Enclosure;
 use crate::mapping::Word;
-
-/// The kinds of bifurcation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Kind {
-    /// The branch has a quadratic turning point: (40).
-    Fold,
-    /// A symmetric orbit becomes two that are mirror images: (40) by an eigenvalue -1 of half the period.
-    Pitchfork,
-    /// (39): an orbit of twice the period branches off.
-    PeriodDoubling,
-    /// A wall is touched with zero velocity: beyond, the word is another one. For `e = 0` also an impact at which the contact force ends: beyond,
-    /// the ball rests after it.
-    Graze,
-}
-
-impl Kind {
-    /// Name of the kind in the bifurcation JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fold => "fold",
-            Self::Pitchfork => "pitchfork",
-            Self::PeriodDoubling => "period-doubling",
-            Self::Graze => "graze",
-        }
-    }
-}
+pub use impact_pair_model::vocabulary::Bifurcation as Kind;
 
 /// A bifurcation, proved.
 #[derive(Clone, Debug)]

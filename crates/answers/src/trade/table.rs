@@ -59,7 +59,7 @@ fn row(arithmetic: &Measured) -> String {
     let end = match arithmetic.conclusion.reason() {
         None if arithmetic.is_certified => "all certified".into(),
         None => "not certified".into(),
-        Some(reason) => format!("undecided: {}", reason.name()),
+        Some(reason) => format!("undecided: {reason}"),
     };
     line(&arithmetic.arithmetic.to_string(), columns, &end)
 }

@@ -64,7 +64,7 @@ fn kind(orbit: &MeasuredOrbit) -> String {
         None => "earlier contact undecided",
     };
     let stability = match orbit.stability {
-        Stability::Stable | Stability::Unstable | Stability::Elliptic => orbit.stability.name().to_owned(),
+        Stability::Stable | Stability::Unstable | Stability::Elliptic => orbit.stability.to_string(),
         Stability::Undecided => "stability undecided".to_owned(),
     };
     let unique = if orbit.unique { "" } else { "; others may be within these bounds" };
@@ -95,9 +95,9 @@ pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
         let last = curve.points.len() - 1;
         for (index, point) in curve.points.iter().enumerate() {
             let mark = match point.mark {
-                Some(mark) => mark.name(),
-                None if index == 0 => "first",
-                None if index == last => "last",
+                Some(mark) => mark.to_string(),
+                None if index == 0 => "first".to_owned(),
+                None if index == last => "last".to_owned(),
                 None => continue,
             };
             let (at, amplitude) = (decimal_digits(&point.at), decimal_digits(&point.amplitude));
@@ -111,5 +111,5 @@ pub fn manifolds(scene: &Scene, axis: Axis, curves: &[Manifold]) -> String {
 fn part(Part { is_solid, is_physical, stability }: Part) -> String {
     let sine = if is_solid { "sin th0 > 0" } else { "sin th0 < 0" };
     let contacts = if is_physical { "no earlier contact" } else { "virtual" };
-    format!("{sine}, {contacts}, {}", stability.name())
+    format!("{sine}, {contacts}, {stability}")
 }

@@ -14,6 +14,7 @@ use super::step::Landing;
 use super::target::{BITS, Target};
 use crate::Certificate;
 use impact_pair_exact::Real;
+use impact_pair_model::vocabulary::OutcomeKind;
 
 /// Greatest number of pieces into which the interval data are cut.
 const MAX_PIECES: usize = 256;
@@ -25,7 +26,7 @@ const MAX_PERIODS: u32 = 1 << 10;
 impl Certificate {
     /// Proves that the motion converges to the claimed orbit, if the outcome claims it; the data are cut into at most `most` pieces.
     pub(super) fn attracts(&self, data: &Data, most: usize) -> Result<(), Doubt> {
-        if self.outcome() != "attracted" {
+        if self.outcome() != OutcomeKind::Attracted {
             return Ok(());
         }
         let claim = self.attraction().ok_or_else(|| Doubt::False("the outcome has no orbit".into()))?;

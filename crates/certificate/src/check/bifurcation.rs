@@ -4,6 +4,7 @@
 //! The extended systems of the certificate's computation are not used: the orbits near the claimed orbit are proved to be one curve, over
 //! the parameter or, at a fold, over phase or velocity, and `det(DP - mu)` to have opposite signs at two points of the curve.
 
+use impact_pair_model::vocabulary::Bifurcation as Kind;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -19,7 +20,7 @@ use super::target::{MAX_BITS, Target, narrowest};
 use super::walk::compare;
 use super::{DocumentCheck, Effort, Verdict};
 use crate::attraction::Bounds;
-use crate::bifurcation::{BifurcationCertificate, ClaimedPoint, Kind};
+use crate::bifurcation::{BifurcationCertificate, ClaimedPoint};
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::scene::Key;
 use impact_pair_model::watch::Watch;

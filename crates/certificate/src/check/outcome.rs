@@ -9,22 +9,31 @@ use crate::{Certificate, Claim};
 use impact_pair_document::{ClaimName, OutcomeDocument};
 use impact_pair_exact::Real;
 use impact_pair_model::Period;
+use impact_pair_model::vocabulary::OutcomeKind;
 
 impl Certificate {
     /// Proves that the words of the outcome agree with its fields, that no field of another kind is set, and the count of listed impacts.
     pub(crate) fn says_one_thing(&self) -> Result<(), Doubt> {
         let ended = self.ended();
         let others = [
-            ("reason", ended.reason.is_some(), &["undecided"][..]),
-            ("until", ended.until.is_some(), &["time-reached", "periodic", "attracted"]),
-            ("may_be_later", ended.may_be_later.is_some(), &["time-reached", "periodic", "attracted"]),
-            ("wall", ended.wall.is_some(), &["undecided", "rests-forever"]),
-            ("time", ended.time.is_some(), &["undecided"]),
-            ("period", ended.period.is_some(), &["periodic"]),
-            ("word", ended.word.is_some(), &["attracted"]),
-            ("cycles", ended.cycles.is_some(), &["attracted"]),
-            ("from", ended.from.is_some(), &["attracted"]),
-            ("orbit", ended.orbit.is_some(), &["attracted"]),
+            ("reason", ended.reason.is_some(), &[OutcomeKind::Undecided][..]),
+            (
+                "until",
+                ended.until.is_some(),
+                &[OutcomeKind::TimeReached, OutcomeKind::Periodic, OutcomeKind::Attracted],
+            ),
+            (
+                "may_be_later",
+                ended.may_be_later.is_some(),
+                &[OutcomeKind::TimeReached, OutcomeKind::Periodic, OutcomeKind::Attracted],
+            ),
+            ("wall", ended.wall.is_some(), &[OutcomeKind::Undecided, OutcomeKind::RestsForever]),
+            ("time", ended.time.is_some(), &[OutcomeKind::Undecided]),
+            ("period", ended.period.is_some(), &[OutcomeKind::Periodic]),
+            ("word", ended.word.is_some(), &[OutcomeKind::Attracted]),
+            ("cycles", ended.cycles.is_some(), &[OutcomeKind::Attracted]),
+            ("from", ended.from.is_some(), &[OutcomeKind::Attracted]),
+            ("orbit", ended.orbit.is_some(), &[OutcomeKind::Attracted]),
         ];
         if let Some((key, ..)) =
             others.iter().find(|(_, is_there, kinds)| *is_there && !kinds.contains(&self.outcome()))
@@ -69,22 +78,26 @@ impl Walk<'_> {
         let still = self.standing.still();
         let never = still.is_some_and(|still| !still.grazes());
         let (is_true, message) = match self.certificate.outcome() {
-            "periodic" => match (still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period), ended.period) {
-                (Some(found), claimed) if !claimed.is_some_and(|claimed| self.repeats(claimed)) => {
-                    let Period { cycles, impacts } = found;
-                    return Err(Doubt::False(format!(
-                        "the period that is listed is {impacts} impacts in {cycles} cycles"
-                    )));
+            OutcomeKind::Periodic => {
+                match (still.map(|_| Period { cycles: 1, impacts: 0 }).or(self.period), ended.period) {
+                    (Some(found), claimed) if !claimed.is_some_and(|claimed| self.repeats(claimed)) => {
+                        let Period { cycles, impacts } = found;
+                        return Err(Doubt::False(format!(
+                            "the period that is listed is {impacts} impacts in {cycles} cycles"
+                        )));
+                    }
+                    (found, _) => (found.is_some(), "the period is not proved"),
                 }
-                (found, _) => (found.is_some(), "the period is not proved"),
-            },
-            "rests-forever" => match self.standing.rest() {
+            }
+            OutcomeKind::RestsForever => match self.standing.rest() {
                 Some(rest) if Some(rest.wall) != ended.wall => {
                     return Err(Doubt::False(format!("the ball rests on the {} wall", rest.wall.name())));
                 }
                 rest => (rest.is_some() && self.parameters.is_still(), "the ball is not proved to rest for ever"),
             },
-            "never-impacts" => (never || self.swings_freely()?, "the ball is not proved never to touch a wall"),
+            OutcomeKind::NeverImpacts => {
+                (never || self.swings_freely()?, "the ball is not proved never to touch a wall")
+            }
             // `attracted` is checked once for all pieces of the data: `Certificate::attracts`.
             _ => (true, ""),
         };

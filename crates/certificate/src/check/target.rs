@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use impact_pair_model::vocabulary::{Sign, Stability};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
@@ -14,7 +15,7 @@ use super::frame::{Frame, hull};
 use super::round::Round;
 use super::step::Landing;
 use super::walk::compare;
-use crate::attraction::{Bounds, ClaimedOrbit, Stability};
+use crate::attraction::{Bounds, ClaimedOrbit};
 use impact_pair_exact::Real;
 use impact_pair_model::{Wall, Word};
 
@@ -230,10 +231,10 @@ impl<'c> Target<'c> {
         }
         if let Some(claimed) = sine {
             let found = (left.phase.hull() + &frame.parameters.origin()).sin();
-            let is_it = match claimed.as_str() {
-                "positive" => found.is_positive(),
-                "negative" => found.is_negative(),
-                _ => return Err(Doubt::open("no sine is proved to be zero")),
+            let is_it = match claimed {
+                Sign::Positive => found.is_positive(),
+                Sign::Negative => found.is_negative(),
+                Sign::Zero => return Err(Doubt::open("no sine is proved to be zero")),
             };
             if !is_it {
                 let message = "the sine on the left wall has another sign".to_owned();

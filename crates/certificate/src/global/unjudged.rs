@@ -1,6 +1,7 @@
 //! Statements of a JSON of a global analysis that no lemma of `check` covers.
 
 use impact_pair_document::{ComponentDocument, GlobalDocument};
+use impact_pair_model::vocabulary::{Class, ComponentKind};
 
 use super::is_saddle_set;
 
@@ -20,12 +21,12 @@ pub(super) fn keys(document: &GlobalDocument, says_there_are_no_others: bool, ha
     keys.extend((!any(&|own| own.orbit.is_some())).then(|| "scene.excitation.frequency".to_owned()));
     keys.extend(document.interrupted.then(|| "interrupted".to_owned()));
     // The claim that components are closed is not checked, nor its consequences.
-    keys.extend(["class", "statement"].iter().filter(|_| document.class == "closed").map(|key| (*key).to_owned()));
+    keys.extend(["class", "statement"].iter().filter(|_| document.class == Class::Closed).map(|key| (*key).to_owned()));
     // Without a claim that there are no other components, `closed` is not checked.
     let is_unbound = !says_there_are_no_others && !components.is_empty();
     keys.extend(is_unbound.then(|| "components.closed".to_owned()));
     for (i, own) in components.iter().enumerate() {
-        let may_be_none = is_saddle_set(own) || own.kind == "grazing" && !has_grazing_motion;
+        let may_be_none = is_saddle_set(own) || own.kind == ComponentKind::Grazing && !has_grazing_motion;
         keys.extend((is_unbound && may_be_none).then(|| format!("components[{i}].kind")));
         let of_period = ["reduced_impacts", "spectral_radius"].into_iter().filter(|_| lacks_symmetry(own));
         keys.extend(of_period.map(|key| format!("components[{i}].{key}")));

@@ -17,6 +17,7 @@ use flights::{Flight, Origin, flights};
 use impact_pair_document::ClaimName;
 use impact_pair_exact::Exact;
 use impact_pair_model::Error;
+use impact_pair_model::vocabulary::OutcomeKind;
 use impact_pair_model::watch::{Latched, Watch};
 use legs::{Box, Leg, excess, leg, start};
 
@@ -136,7 +137,7 @@ impl Certificate {
     fn left_out(&self, impacts: usize) -> Option<String> {
         let others = self.events().len() - impacts;
         let is_cut = self.events().get(impacts).is_some_and(|next| next.kind.is_impact());
-        let is_stated = matches!(self.outcome(), "impacts-reached" | "time-reached");
+        let is_stated = matches!(self.outcome(), OutcomeKind::ImpactsReached | OutcomeKind::TimeReached);
         match others {
             _ if is_cut => None,
             0 if is_stated => None,

@@ -6,6 +6,7 @@ use crate::{Certificate, Claim};
 use impact_pair_exact::{Exact, decimal_bounds};
 use impact_pair_model::Harmonic;
 use impact_pair_model::Place;
+use impact_pair_model::vocabulary::OutcomeKind;
 use impact_pair_model::{Error, EventKind};
 
 /// Number of impacts, and scale of the grid, beyond which Coq's faster integers are used.
@@ -105,9 +106,9 @@ Print Assumptions orbit_certified.
 
 /// The theorem of the outcome: the number of listed impacts, and the time before which there is no other impact. For an outcome that
 /// claims more, a comment says that this is not stated. Impacts that may come later than that time are counted apart.
-fn outcome(kind: &str, (listed, later): (usize, u64), until: Option<&Exact>) -> String {
+fn outcome(kind: OutcomeKind, (listed, later): (usize, u64), until: Option<&Exact>) -> String {
     let besides = match kind {
-        "impacts-reached" | "time-reached" => String::new(),
+        OutcomeKind::ImpactsReached | OutcomeKind::TimeReached => String::new(),
         _ => format!(" What `{kind}` says besides is not stated here."),
     };
     let Some(until) = until else {

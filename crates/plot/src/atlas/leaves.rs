@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use impact_pair::exact::Exact;
+use impact_pair::json::vocabulary::Class;
 use impact_pair::json::{AtlasHead, AtlasRecord};
 use impact_pair::scene::Range;
 use plotters::style::RGBColor;
@@ -90,11 +91,11 @@ impl Leaves {
 }
 
 /// The class drawn for a point or a cell: its own class, or the stable orbit or horseshoe proved where its class says little.
-fn shown(leaf: &AtlasRecord) -> &str {
-    match leaf.class.as_str() {
-        "closed" | "undecided" if !leaf.stable.is_empty() => STABLE,
-        "closed" | "undecided" if leaf.entropy() > 0.0 => HORSESHOE,
-        class => class,
+fn shown(leaf: &AtlasRecord) -> String {
+    match leaf.class {
+        Class::Closed | Class::Undecided if !leaf.stable.is_empty() => STABLE.to_owned(),
+        Class::Closed | Class::Undecided if leaf.entropy() > 0.0 => HORSESHOE.to_owned(),
+        class => class.to_string(),
     }
 }
 

@@ -79,7 +79,7 @@ fn orbit(own: &PeriodDocument) -> String {
 
 /// A component in words.
 fn component(own: &ComponentDocument) -> String {
-    let mut words = own.kind.clone();
+    let mut words = own.kind.to_string();
     if let Some(impacts) = own.reduced_impacts {
         let _ = write!(words, ", period {impacts} of the reduced map");
     }
@@ -148,7 +148,8 @@ fn table(head: &AtlasHead, leaves: &Leaves) -> String {
     text += "</tr></thead>\n<tbody>\n";
     for Leaf { record, .. } in &leaves.all {
         let counts = [record.n_attracting, record.n_rest, record.n_saddle, record.n_undecided];
-        let cells = record.values.iter().cloned().chain([record.class.clone()]).chain(counts.map(|n| n.to_string()));
+        let cells =
+            record.values.iter().cloned().chain([record.class.to_string()]).chain(counts.map(|n| n.to_string()));
         let cells: String = cells.map(|cell| format!("<td>{}</td>", escaped(&cell))).collect();
         let _ = writeln!(text, "<tr>{cells}</tr>");
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use impact_pair::json::vocabulary::PointOutcome;
 use plotters::prelude::*;
 
 use super::Show;
@@ -32,11 +33,11 @@ enum Class {
 
 impl Class {
     fn of(record: &SweepRecord) -> Self {
-        match record.outcome.as_str() {
-            "attracted" => Self::Attracted,
-            "undecided" => Self::Undecided,
-            "undecided-limit" => Self::UndecidedLimit,
-            _ => Self::Settled,
+        match record.outcome {
+            PointOutcome::Attracted => Self::Attracted,
+            PointOutcome::Undecided => Self::Undecided,
+            PointOutcome::UndecidedLimit => Self::UndecidedLimit,
+            PointOutcome::Periodic | PointOutcome::RestsForever | PointOutcome::NeverImpacts => Self::Settled,
         }
     }
 

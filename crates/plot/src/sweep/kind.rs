@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+use impact_pair::json::vocabulary::PointOutcome;
 use impact_pair::mapping::Word;
 use impact_pair::pair::Wall;
 use plotters::prelude::*;
@@ -22,7 +23,7 @@ const SETTLED_COLOUR: RGBColor = YELLOW;
 
 /// An outcome of a map: an attractor, or another one.
 pub struct Kind {
-    pub outcome: String,
+    pub outcome: PointOutcome,
     pub period: Option<SweepPeriod>,
     pub points: u64,
 }
@@ -48,10 +49,10 @@ impl Kind {
     pub fn name(&self, is_one_pair: bool) -> String {
         let word = |period: &SweepPeriod| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
         let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
-            return match self.outcome.as_str() {
-                "periodic" => "exactly periodic through rest".to_owned(),
-                "undecided-limit" => "undecided convergence".to_owned(),
-                other => other.replace('-', " "),
+            return match self.outcome {
+                PointOutcome::Periodic => "exactly periodic through rest".to_owned(),
+                PointOutcome::UndecidedLimit => "undecided convergence".to_owned(),
+                other => other.to_string().replace('-', " "),
             };
         };
         let lasting = match period.cycles {
@@ -84,10 +85,10 @@ fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
 pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
-    let colour = |i: usize| match (kinds[i].outcome.as_str(), attractors.iter().position(|&j| j == i)) {
+    let colour = |i: usize| match (kinds[i].outcome, attractors.iter().position(|&j| j == i)) {
         (_, Some(rank)) => COLOURS.get(rank).copied().unwrap_or(OTHER_COLOUR),
-        ("undecided", _) => UNDECIDED_COLOUR,
-        ("undecided-limit", _) => BLACK,
+        (PointOutcome::Undecided, _) => UNDECIDED_COLOUR,
+        (PointOutcome::UndecidedLimit, _) => BLACK,
         _ => SETTLED_COLOUR,
     };
     (0..kinds.len()).map(colour).collect()

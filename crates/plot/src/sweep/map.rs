@@ -36,7 +36,7 @@ impl Outcomes {
             record.period = record.period.filter(|period| period.word.is_some());
             let found = kinds.iter().position(|kind| kind.is_of(&record, is_one_pair));
             let number = found.unwrap_or_else(|| {
-                kinds.push(Kind { outcome: record.outcome.clone(), period: record.period.clone(), points: 0 });
+                kinds.push(Kind { outcome: record.outcome, period: record.period.clone(), points: 0 });
                 kinds.len() - 1
             });
             kinds[number].points += 1;

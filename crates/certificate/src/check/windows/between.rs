@@ -6,11 +6,12 @@
 use super::cell::{Cell, Point};
 use super::image::{Along, Image};
 use super::map::Map;
-use crate::bifurcation::{ClaimedPoint, Kind};
+use crate::bifurcation::ClaimedPoint;
 use crate::check::contact::Doubt;
 use crate::check::tangency::setting::Setting;
 use crate::check::walk::compare;
 use impact_pair_exact::{Dyadic, Real};
+use impact_pair_model::vocabulary::Bifurcation as Kind;
 
 /// Bits by which a tiny cell is smaller than the bounds of the ends.
 pub(super) const TINY_CELL_BITS: i64 = 24;

@@ -6,6 +6,7 @@ mod orbit;
 mod said;
 
 use impact_pair_exact::Exact;
+use impact_pair_model::vocabulary::StretchVerdict;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 use impact_pair_model::{Error, ImpactPair, Start};
 
@@ -48,7 +49,7 @@ impl CellsCertificate {
         }
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
         for (event, stretch) in self.document().stretches.iter().enumerate() {
-            if stretch.verdict != "undecided" {
+            if stretch.verdict != StretchVerdict::Undecided {
                 let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
                 match self.judged(stretch, &work)? {
                     Err(Doubt::Open(_)) if watch.is_stopped() => {
@@ -83,7 +84,7 @@ impl CellsCertificate {
                 Ok(period) => period,
                 Err(doubt) => return Ok(Err(doubt)),
             };
-            let is_own = stretch.verdict == "attracted";
+            let is_own = stretch.verdict == StretchVerdict::Attracted;
             let proved = self.for_all(stretch, &mut |pair, law| {
                 let requested = (pair, self.start());
                 if is_own { period.attracts(requested, law, work) } else { period.exists(requested, law, work) }

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use impact_pair_document::{SharesDocument, StretchDocument};
 use impact_pair_exact::Exact;
+use impact_pair_model::vocabulary::StretchVerdict;
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -34,7 +35,7 @@ impl CellsCertificate {
         }
         meet(from, &document.over.high.0, Ordering::Equal, "the last subinterval does not end where the range does")
             .map_err(|doubt| (all, doubt))?;
-        if document.certified != document.stretches.iter().all(|stretch| stretch.verdict != "undecided") {
+        if document.certified != document.stretches.iter().all(|stretch| stretch.verdict != StretchVerdict::Undecided) {
             return wrong(all, "certified says something else of what is undecided than the list");
         }
         self.shares_follow(&document.shares).map_err(|doubt| (all, doubt))
@@ -43,13 +44,13 @@ impl CellsCertificate {
     /// Proves that no share of proved values is more than that of their subintervals, and the share of undecided ones no less.
     fn shares_follow(&self, shares: &SharesDocument) -> Result<(), Doubt> {
         let horseshoe = |stretch: &StretchDocument| stretch.entropy.is_some();
-        let is = |name: &'static str| move |stretch: &StretchDocument| stretch.verdict == name;
+        let is = |name: StretchVerdict| move |stretch: &StretchDocument| stretch.verdict == name;
         let both = |stretch: &StretchDocument| stretch.entropy.is_some() && stretch.period.is_some();
         self.share("horseshoe", shares.horseshoe, Ordering::Greater, horseshoe)?;
-        self.share("attracted", shares.attracted, Ordering::Greater, is("attracted"))?;
-        self.share("stable", shares.stable, Ordering::Greater, is("stable"))?;
+        self.share("attracted", shares.attracted, Ordering::Greater, is(StretchVerdict::Attracted))?;
+        self.share("stable", shares.stable, Ordering::Greater, is(StretchVerdict::Stable))?;
         self.share("both", shares.both, Ordering::Greater, both)?;
-        self.share("undecided", shares.undecided, Ordering::Less, is("undecided"))
+        self.share("undecided", shares.undecided, Ordering::Less, is(StretchVerdict::Undecided))
     }
 
     /// A share is the fraction of such subintervals, to a millionth of the range, and not beside it on the side that says more.
@@ -103,13 +104,9 @@ fn meet(one: &Exact, other: &Exact, order: Ordering, message: &str) -> Result<()
     }
 }
 
-/// The contradiction in a subinterval: an unknown verdict, or one that its other fields exclude.
+/// The contradiction in a subinterval: a verdict that its other fields exclude.
 fn contradiction(stretch: &StretchDocument) -> Option<&'static str> {
-    let has_period = match stretch.verdict.as_str() {
-        "attracted" | "stable" => true,
-        "horseshoe" | "undecided" => false,
-        _ => return Some("its verdict is none of horseshoe, attracted, stable and undecided"),
-    };
+    let has_period = matches!(stretch.verdict, StretchVerdict::Attracted | StretchVerdict::Stable);
     let has_horseshoe = stretch.entropy.is_some();
     if has_period != stretch.period.is_some() {
         Some(if has_period {
@@ -119,9 +116,9 @@ fn contradiction(stretch: &StretchDocument) -> Option<&'static str> {
         })
     } else if has_horseshoe == stretch.bases.is_empty() {
         Some("it has an entropy without h-sets, or h-sets without an entropy")
-    } else if stretch.verdict == "horseshoe" && !has_horseshoe {
+    } else if stretch.verdict == StretchVerdict::Horseshoe && !has_horseshoe {
         Some("its entropy is missing")
-    } else if stretch.verdict == "undecided" && has_horseshoe {
+    } else if stretch.verdict == StretchVerdict::Undecided && has_horseshoe {
         Some("a horseshoe is claimed of what is undecided")
     } else {
         None

@@ -9,6 +9,7 @@ mod saddles;
 mod space;
 
 use impact_pair_model::Error;
+use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 
 use super::allowance::Allowance;
@@ -77,7 +78,7 @@ impl GlobalCertificate {
 
     /// Place and reason of a claim that a component grazes, if it is false or undecided: only one motion grazes for ever. Lemmas A9, V20
     fn doubts_grazing(&self) -> Result<Option<(usize, Doubt)>, Error> {
-        let claims = self.claimed().iter().enumerate().filter(|(_, claim)| claim.kind == "grazing");
+        let claims = self.claimed().iter().enumerate().filter(|(_, claim)| claim.kind == ComponentKind::Grazing);
         let places: Vec<usize> = claims.map(|(place, _)| place).collect();
         let Some(&last) = places.last() else { return Ok(None) };
         if Law::of(self.pair())?.gap.hi() < 2.0 {
@@ -123,7 +124,7 @@ impl GlobalCertificate {
                 None => return Ok(Err(Doubt::open("the released ball is not proved to rest again"))),
             }
         }
-        let rest_claim = self.claimed().iter().position(|claim| claim.kind == "rest-cycle");
+        let rest_claim = self.claimed().iter().position(|claim| claim.kind == ComponentKind::RestCycle);
         if !self.says_there_are_no_others() {
             let is_open = rest_claim.is_some() && self.rest_cycle().is_none();
             let open = || Doubt::open("the released ball is not proved to rest again and again");
@@ -246,8 +247,12 @@ impl ComponentChecker<'_> {
             return self.rest_claim.filter(|_| set.has_release && self.has_rests);
         }
         let cycle = self.cycles.iter().find(|(_, cycle, attracts)| cycle.is_limit_of(set, self.space, *attracts));
-        let grazing =
-            || self.claimed.iter().position(|claim| claim.kind == "grazing").filter(|_| limit::grazes(set, self.space));
+        let grazing = || {
+            self.claimed
+                .iter()
+                .position(|claim| claim.kind == ComponentKind::Grazing)
+                .filter(|_| limit::grazes(set, self.space))
+        };
         let saddles = || {
             let mut claims = self.claimed.iter();
             claims.position(|claim| claim.is_saddle_set).filter(|_| saddles::have_no_area(set, self.space))
