@@ -229,7 +229,7 @@ pub fn run(
 /// Reads an orbit JSON.
 #[pyfunction]
 pub fn read_orbit(text: &str) -> PyResult<Orbit> {
-    let OrbitDocument { head, outcome, events } = json::read::<OrbitDocument>(text).map_err(Fault::from)?;
+    let (head, events, outcome) = json::read::<OrbitDocument>(text).map_err(Fault::from)?.lines();
     let said = outcome.message.clone();
     let at_first = head.arithmetic.clone();
     Ok(Orbit { head, at_first, outcome, events: Events::Read(events), complete: None, said, bits: None, motion: None })

@@ -31,7 +31,7 @@ impl DescriptionCertificate {
         let whole = Place::of_schema(&value, DESCRIPTION_SCHEMA)?;
         let document: DescriptionDocument = whole.read()?;
         document.scene.clone().model()?;
-        if document.proof.as_ref().is_some_and(|orbit| orbit.head.claim != ClaimName::ExactStart) {
+        if document.proof.as_ref().is_some_and(|orbit| orbit.claim != ClaimName::ExactStart) {
             let claim = whole.get(PROOF)?.get("claim")?;
             return Err(claim.refused("only an orbit from its exact start proves a fate: accepted is \"exact start\""));
         }
@@ -105,10 +105,8 @@ impl DescriptionCertificate {
     /// A document inside has another scene, or a flag contradicts the fate.
     fn differing(&self) -> Option<String> {
         let DescriptionDocument { scene, proof, region, fate, certified, .. } = &self.document;
-        let scenes = [
-            (PROOF, proof.as_ref().map(|orbit| &orbit.head.scene)),
-            (REGION, region.as_ref().map(|region| &region.scene)),
-        ];
+        let scenes =
+            [(PROOF, proof.as_ref().map(|orbit| &orbit.scene)), (REGION, region.as_ref().map(|region| &region.scene))];
         if let Some((key, _)) = scenes.iter().find(|(_, other)| other.is_some_and(|other| other != scene)) {
             return Some(format!("scene is not that of {key}"));
         }

@@ -115,12 +115,12 @@ impl PeriodicCertificate {
         // Completeness and its consequences are not checked; the number of the listed orbits is.
         let mut unjudged = UNJUDGED_OF_CYCLES.map(str::to_owned).to_vec();
         let is_open = |orbit: &PeriodicOrbitDocument| orbit.physical != Some(true) || orbit.symmetric.is_none();
-        let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit));
+        let open = document.orbits.iter().enumerate().filter(|(_, cycle)| is_open(&cycle.orbit()));
         unjudged.extend(open.map(|(i, _)| format!("orbits[{i}].reduced_impacts")));
         let (pair, _) = document.scene.model()?;
         let places = whole.get("orbits")?.list()?;
         let orbits = document.orbits.iter().zip(&places).map(|(cycle, place)| {
-            let orbit = ClaimedOrbit::of(&cycle.orbit, place)?;
+            let orbit = ClaimedOrbit::of(&cycle.orbit(), place)?;
             Ok(OrbitOf { word: cycle.word.parse()?, cycles: cycle.cycles.into(), orbit })
         });
         let orbits = orbits.collect::<Result<_, Error>>()?;

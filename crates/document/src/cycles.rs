@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use impact_pair_model::vocabulary::Reason;
-use serde::{Deserialize, Deserializer, Serialize};
+use impact_pair_model::vocabulary::{Reason, Stability};
+use serde::{Deserialize, Serialize};
 
-use super::number::Between;
-use super::periodic::{MeasuredImpact, PeriodicOrbitDocument};
+use super::number::{Between, Bounds};
+use super::periodic::{EigenvalueDocument, MeasuredImpact, PeriodicOrbitDocument};
 use super::scene::SceneDocument;
-use super::strict::flattened;
 
 /// The schema of cycles.
 pub const CYCLES_SCHEMA: &str = "impact-pair/cycles/1";
@@ -46,7 +45,7 @@ pub struct CyclesDocument {
 }
 
 /// A cycle of the reduced map: a periodic orbit, and its mirror image.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct CycleDocument {
     /// Its least period under the reduced map.
@@ -55,25 +54,66 @@ pub struct CycleDocument {
     pub word: String,
     /// Forcing periods of the orbit.
     pub cycles: u32,
-    /// The periodic orbit.
-    #[serde(flatten)]
-    pub orbit: PeriodicOrbitDocument,
+    /// Impacts of the orbit in time order.
+    pub impacts: Vec<MeasuredImpact>,
+    /// Whether it is unique within these bounds.
+    pub unique: bool,
+    /// Whether it is admissible: no wall is touched earlier; null if undecided.
+    pub physical: Option<bool>,
+    /// Whether it is its own mirror image.
+    pub symmetric: Option<bool>,
+    /// Number of times that the impacts run through a shorter orbit: absent at 1, null if undecided.
+    #[serde(skip_serializing_if = "super::periodic::is_once", default = "super::periodic::once")]
+    pub times: Option<u32>,
+    /// The trace of the Jacobian of the period; null where an impact is a graze.
+    pub trace: Option<Bounds>,
+    /// Determinant of the derivative of the orbit's map.
+    pub determinant: Option<Bounds>,
+    /// Eigenvalues of the derivative of the orbit's map.
+    pub eigenvalues: Option<[EigenvalueDocument; 2]>,
+    /// `stable`, `unstable`, `elliptic` (with `e = 1`: both eigenvalues lie on the unit circle, apart and not real) or `undecided`.
+    pub stability: Stability,
 }
 
-impl<'de> Deserialize<'de> for CycleDocument {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let (Period { reduced_impacts, word, cycles }, orbit) =
-            flattened(deserializer, &["reduced_impacts", "word", "cycles"])?;
-        Ok(Self { reduced_impacts, word, cycles, orbit })
+impl CycleDocument {
+    /// Returns the cycle of an orbit, with its least period under the reduced map.
+    pub fn of(reduced_impacts: u32, (word, cycles): (String, u32), orbit: PeriodicOrbitDocument) -> Self {
+        let PeriodicOrbitDocument { impacts, unique, physical, symmetric, times, .. } = orbit;
+        let PeriodicOrbitDocument { trace, determinant, eigenvalues, stability, .. } = orbit;
+        Self {
+            reduced_impacts,
+            word,
+            cycles,
+            impacts,
+            unique,
+            physical,
+            symmetric,
+            times,
+            trace,
+            determinant,
+            eigenvalues,
+            stability,
+        }
     }
-}
 
-/// The keys of a cycle that are not those of its orbit.
-#[derive(Deserialize)]
-struct Period {
-    reduced_impacts: u32,
-    word: String,
-    cycles: u32,
+    /// Returns its orbit.
+    pub fn orbit(&self) -> PeriodicOrbitDocument {
+        let Self { impacts, unique, physical, symmetric, times, trace, determinant, eigenvalues, stability, .. } =
+            self.clone();
+        let of_two = PeriodicOrbitDocument::default();
+        PeriodicOrbitDocument {
+            impacts,
+            unique,
+            physical,
+            symmetric,
+            times,
+            trace,
+            determinant,
+            eigenvalues,
+            stability,
+            ..of_two
+        }
+    }
 }
 
 /// Boxes that may contain a cycle.

@@ -9,36 +9,47 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::number::{Bounds, NotNegative};
 use super::outcome::OutcomeDocument;
 use super::scene::SceneDocument;
-use super::strict::flattened;
 
 /// The schema of the orbit JSON.
 pub const ORBIT_SCHEMA: &str = "impact-pair/orbit/1";
 
 /// An orbit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct OrbitDocument {
-    /// Scene, program and arithmetic.
-    #[serde(flatten)]
-    pub head: OrbitHead,
+    /// Schema of the document: [`ORBIT_SCHEMA`].
+    pub schema: String,
+    /// Name and version of the program, such as `impact-pair 0.1.0`.
+    #[serde(default)]
+    pub program: String,
+    /// Scene that everything here is about: excitation, gap, restitution coefficient and start, as exact expressions.
+    pub scene: SceneDocument,
+    /// Whether the bounds are certified; with `float` they are not, and both bounds are the double itself.
+    pub certified: bool,
+    /// The start that the claims are about; absent in older documents.
+    #[serde(default)]
+    pub claim: ClaimName,
+    /// Arithmetic in which the orbit was computed.
+    #[serde(default)]
+    pub arithmetic: ArithmeticDocument,
     /// How the list ends: outcome of the orbit.
     pub outcome: OutcomeDocument,
     /// Events in time order.
     pub events: Vec<EventDocument>,
 }
 
-impl<'de> Deserialize<'de> for OrbitDocument {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let (OrbitBody { outcome, events }, head) = flattened(deserializer, &["outcome", "events"])?;
-        Ok(Self { head, outcome, events })
+impl OrbitDocument {
+    /// Returns the document of which these are the lines.
+    pub fn of(head: OrbitHead, events: Vec<EventDocument>, outcome: OutcomeDocument) -> Self {
+        let OrbitHead { schema, program, scene, certified, claim, arithmetic } = head;
+        Self { schema, program, scene, certified, claim, arithmetic, outcome, events }
     }
-}
 
-/// The keys of an orbit that are not those of its head.
-#[derive(Deserialize)]
-struct OrbitBody {
-    outcome: OutcomeDocument,
-    events: Vec<EventDocument>,
+    /// Returns its lines.
+    pub fn lines(self) -> (OrbitHead, Vec<EventDocument>, OutcomeDocument) {
+        let Self { schema, program, scene, certified, claim, arithmetic, outcome, events } = self;
+        (OrbitHead { schema, program, scene, certified, claim, arithmetic }, events, outcome)
+    }
 }
 
 /// An orbit without its outcome and its events: the first of the JSON Lines.

@@ -86,11 +86,11 @@ pub struct PeriodicOrbitDocument {
 }
 
 /// Number of times that an orbit of its least period runs through itself.
-fn once() -> Option<u32> {
+pub(super) fn once() -> Option<u32> {
     Some(1)
 }
 
-fn is_once(times: &Option<u32>) -> bool {
+pub(super) fn is_once(times: &Option<u32>) -> bool {
     *times == once()
 }
 

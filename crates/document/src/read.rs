@@ -6,7 +6,7 @@ use serde_json::{Deserializer, Map, Value};
 use serde_path_to_error::{Path, Segment};
 
 use super::once::UniqueKeys;
-use super::strict::{IN_PART, Strict};
+use super::strict::Strict;
 
 /// A value of a document with its path.
 #[derive(Clone, Debug)]
@@ -91,9 +91,6 @@ impl<'j> Place<'j> {
     /// Returns the error of serde in the words of this crate.
     fn wrong(&self, error: serde_json::Error) -> Error {
         let message = error.to_string();
-        if message.starts_with(IN_PART) {
-            return self.refused(&message).because(error);
-        }
         let quoted = |text: &str| text.replace('`', "\"").replace(" or ", " and ").replace("one of ", "");
         if let Some(field) = message.strip_prefix("missing field `").and_then(|rest| rest.split('`').next()) {
             return self.missing(field).because(error);

@@ -4,7 +4,7 @@
 //! This deserializer refuses all three for every struct, without an attribute at any of them.
 
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
-use serde::de::{DeserializeOwned, Deserializer, Error, IntoDeserializer, Unexpected, Visitor};
+use serde::de::{Deserializer, Error, IntoDeserializer, Unexpected, Visitor};
 use serde::forward_to_deserialize_any;
 use serde_json::{Map, Value};
 
@@ -14,29 +14,6 @@ pub(super) struct Strict<'de>(pub &'de Value);
 
 /// The key of an entry, which may be a number.
 struct Key<'de>(&'de str);
-
-/// Reads two structs from one object: the keys named `own` are those of the first one, the others those of the second.
-pub(super) fn flattened<'de, D, A, B>(deserializer: D, own: &[&str]) -> Result<(A, B), D::Error>
-where
-    D: Deserializer<'de>,
-    A: DeserializeOwned,
-    B: DeserializeOwned,
-{
-    let entries: Map<String, Value> = serde::Deserialize::deserialize(deserializer)?;
-    let (own, others) = entries.into_iter().partition(|(key, _)| own.contains(&key.as_str()));
-    Ok((part(own)?, part(others)?))
-}
-
-/// The beginning of the message of an error in a part of an object, before the path in it.
-pub(super) const IN_PART: &str = "in its ";
-
-/// Reads a struct from a part of an object; the message of an error names the path in it, which the caller does not know.
-fn part<T: DeserializeOwned, E: Error>(entries: Map<String, Value>) -> Result<T, E> {
-    serde_path_to_error::deserialize(Strict(&Value::Object(entries))).map_err(|error| {
-        let is_inner = error.path().iter().next().is_some();
-        if is_inner { E::custom(format_args!("{IN_PART}{error}")) } else { E::custom(error.into_inner()) }
-    })
-}
 
 impl<'de> Strict<'de> {
     fn wrong(self, accepted: &str) -> serde_json::Error {

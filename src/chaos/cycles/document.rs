@@ -23,11 +23,9 @@ impl Cycles {
         found: Result<&Self, NoTrap>,
     ) -> Result<CyclesDocument, Error> {
         let units = Units::gaps(scene.pair())?;
-        let cycle = |cycle: &Cycle| CycleDocument {
-            reduced_impacts: cycle.impacts as u32,
-            word: cycle.problem.word().to_string(),
-            cycles: cycle.problem.chain().cycles(),
-            orbit: units.orbit(&cycle.problem, &cycle.orbit),
+        let cycle = |cycle: &Cycle| {
+            let period = (cycle.problem.word().to_string(), cycle.problem.chain().cycles());
+            CycleDocument::of(cycle.impacts as u32, period, units.orbit(&cycle.problem, &cycle.orbit))
         };
         let open = |(impacts, region): &(usize, Region)| OpenCycleDocument {
             reduced_impacts: *impacts as u32,

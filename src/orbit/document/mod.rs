@@ -47,11 +47,8 @@ impl Orbit {
             events.extend(Event::of(orbit, &step));
             ControlFlow::<()>::Continue(())
         });
-        OrbitDocument {
-            head: self.head(),
-            outcome: Conclusion::of(self, events.last()).document(),
-            events: events.iter().map(EventDocument::from).collect(),
-        }
+        let outcome = Conclusion::of(self, events.last()).document();
+        OrbitDocument::of(self.head(), events.iter().map(EventDocument::from).collect(), outcome)
     }
 
     /// Returns the head of the orbit JSON of an orbit that has ended: scene, program and arithmetic.
