@@ -5,10 +5,9 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result, anyhow};
 use clap::{Args, ValueEnum};
-use impact_pair::json::{CheckDocument, SceneDocument, one_a_line};
+use impact_pair::json::{CheckDocument, one_a_line};
 use impact_pair::{Effort, Scene};
 use impact_pair_certificate::{Claims, Verdict};
-use serde_json::{Deserializer, Value};
 
 use crate::Answer;
 use crate::destination::{Destination, Files};
@@ -106,10 +105,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
     let judged = claims.judge(&arguments.effort.into(), &progress).with_context(|| scene::name(path))?;
     progress.clear();
     let sha256 = Some(verified::sha256(&text));
-    let document = CheckDocument { sha256, ..claims.document(&text, &judged) };
+    let document = CheckDocument { sha256, ..claims.document(&judged) };
     let written = match format {
         CheckFormat::Json => one_a_line(&document, &["claims"]),
-        CheckFormat::Text => in_words(&claims, &text, &document),
+        CheckFormat::Text => in_words(&claims, &document),
     };
     writeln!(out, "{written}").context("cannot write the output")?;
     out.commit()?;
@@ -121,12 +120,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Answer> {
 }
 
 /// The verdict, the theorem, the scene that it is about, the name of the document, and what is not checked, a line each.
-fn in_words(claims: &Claims, text: &str, document: &CheckDocument) -> String {
+fn in_words(claims: &Claims, document: &CheckDocument) -> String {
     let unjudged = claims.unjudged();
     let lines = [
         Some(document.message.clone()),
         document.theorem.as_ref().map(|theorem| format!("theorem: {theorem}")),
-        scene_in_words(text).map(|scene| format!("scene: {scene}")),
+        scene_in_words(claims).map(|scene| format!("scene: {scene}")),
         document.sha256.as_ref().map(|hash| format!("document: SHA-256 {hash}")),
         (!unjudged.is_empty()).then(|| format!("not checked: {}", unjudged.join(", "))),
     ];
@@ -134,9 +133,7 @@ fn in_words(claims: &Claims, text: &str, document: &CheckDocument) -> String {
 }
 
 /// The scene of a document; `None` of a list of documents.
-fn scene_in_words(text: &str) -> Option<String> {
-    let head = Deserializer::from_str(text).into_iter::<Value>().next()?.ok()?;
-    let scene: SceneDocument = serde_json::from_value(head.get("scene")?.clone()).ok()?;
-    let (pair, start) = scene.model().ok()?;
+fn scene_in_words(claims: &Claims) -> Option<String> {
+    let (pair, start) = claims.scene()?.model().ok()?;
     Some(format!("{}; {}", pair.in_words(), start.in_words()))
 }

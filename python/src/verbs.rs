@@ -48,7 +48,7 @@ pub fn check(py: Python<'_>, text: String, effort: &str, progress: Option<Py<PyA
             Verdict::Undecided(finding) => ("undecided", claims.described(finding)),
             Verdict::Interrupted { events } => ("interrupted", format!("{} confirmed", claims.first(*events))),
         };
-        let document = claims.document(&text, &judged);
+        let document = claims.document(&judged);
         let each = document.claims.into_iter().map(|claim| (claim.path, claim.verdict.text(), claim.reason));
         Ok((kind, said, document.theorem, document.not_checked, document.unchecked_claims, each.collect()))
     })

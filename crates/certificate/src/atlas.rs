@@ -2,9 +2,11 @@
 
 use std::collections::HashSet;
 
-use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument, Place, values};
+use super::marks::{self, LINES, Mark};
+use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument, Place};
 use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::{Error, ImpactPair, Start};
+use serde_json::Value;
 
 use super::GlobalCertificate;
 use super::grid::{Axes, Placed, and};
@@ -17,7 +19,7 @@ pub struct AtlasCertificate {
     has_cells: bool,
     /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A point of the atlas, or a tile.
@@ -43,73 +45,35 @@ pub(super) struct Part {
     pub start: Start,
     /// Further stable periodic orbits.
     pub stable: Vec<PeriodDocument>,
-    /// Path of the part in the document, and whether it is cut no further.
-    path: String,
-    is_leaf: bool,
 }
-
-/// Keys that no lemma of `check` covers.
-const UNJUDGED: [&str; 17] = [
-    "boxes",
-    "digits",
-    "halvings",
-    "most",
-    "points.components.area",
-    "points.components.boxes",
-    "points.components.closed",
-    "points.components.reason",
-    "points.greatest_speed",
-    "points.order",
-    "points.seconds",
-    "points.undecided_area",
-    "program",
-    "scene.excitation.phase",
-    "scene.start",
-    "title",
-    "work",
-];
-
-/// Result keys of a cell: none is checked where the cell claims nothing, though the cells into which it is cut may claim something.
-const RESULT_KEYS: [&str; 6] = ["class", "components", "n_attracting", "n_rest", "n_saddle", "n_undecided"];
 
 impl AtlasCertificate {
     /// Reads an atlas: the head, then one point or tile per line.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let values = values(text)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
         let (place, records) = (Place::of_schema(&values[0], ATLAS_SCHEMA)?, &values[1..]);
         let head: AtlasHead = place.read()?;
         let axes = Axes::of(&place, &head.over, head.points, head.shard)?;
-        let (mut seen, mut unjudged) = (HashSet::new(), Vec::new());
+        let (mut seen, mut lines) = (HashSet::new(), Vec::new());
         let point = |(i, value)| {
-            let path = format!("points[{i}]");
-            let place = Place::at(path.clone(), value);
+            let place = Place::at(format!("points[{i}]"), value);
             let record: AtlasRecord = place.read()?;
-            let mut claimed = ClaimedPoint::of(&head, &axes, &record, (&place, path))?;
+            let mut claimed = ClaimedPoint::of(&head, &axes, &record, &place)?;
+            lines.push(marks::record(&record, &mut claimed.parts.iter()));
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");
             }
             Ok(claimed)
         };
         let points: Vec<ClaimedPoint> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
-        unjudged.extend(UNJUDGED.map(str::to_owned));
-        unjudged.extend(axes.own_values());
-        unjudged.extend(head.horseshoes.map(|_| "horseshoes".to_owned()));
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
-        unjudged.extend(axes.unpinned(&places));
-        unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
         let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits().is_some());
-        unjudged.extend((!has_orbits).then(|| "scene.excitation.frequency".to_owned()));
-        let parts = || points.iter().flat_map(|point| &point.parts);
-        let deepest = parts().map(Part::depth).max().unwrap_or(0); // exact: no cell is cut
-        unjudged.extend(of_cells(deepest));
-        unjudged.extend(parts().flat_map(Part::unjudged));
-        unjudged.sort();
-        unjudged.dedup();
+        let lines = marks::items(&lines, Mark::clone);
+        let marks = marks::atlas(&head, &axes.pinned(&places), has_orbits).with(LINES, lines);
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
-        Ok(Self { points, has_cells: head.cells, missing, unjudged })
+        Ok(Self { points, has_cells: head.cells, missing, marks })
     }
 
     /// Number of points of the grid, or of the shard, that are missing.
@@ -142,42 +106,23 @@ impl AtlasCertificate {
         parts.filter(|part| part.claims_something()).count()
     }
 
-    /// Whether a path leads to a point or a cell without a proved result, or to one of its own values.
-    pub(super) fn is_silent(&self, path: &str) -> bool {
-        let is_own = |rest: &str| rest.is_empty() || rest.starts_with('.') && !rest.starts_with(".quarters");
-        let mut parts = self.points.iter().flat_map(|point| &point.parts);
-        parts.any(|part| !part.claims_something() && path.strip_prefix(&part.path).is_some_and(is_own))
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
-
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
-    }
-}
-
-/// Keys of points that no lemma covers, and the same keys of the cells into which tiles are cut, down to `most` bisections. Lemma V38
-fn of_cells(most: usize) -> impl Iterator<Item = String> {
-    let of_points = UNJUDGED.iter().filter_map(|key| key.strip_prefix("points."));
-    of_points.flat_map(move |key| (0..=most).map(move |times| format!("points.{}{key}", "quarters.".repeat(times))))
 }
 
 impl Part {
-    /// Number of bisections from the tile to the cell.
-    fn depth(&self) -> usize {
-        self.path.matches(".quarters[").count()
-    }
-
     /// The parts of a record: the record itself, then the cells into which it is cut.
-    fn all(head: &AtlasHead, record: &AtlasRecord, place: &Place<'_>, path: String) -> Result<Vec<Self>, Error> {
+    fn all(head: &AtlasHead, record: &AtlasRecord, place: &Place<'_>) -> Result<Vec<Self>, Error> {
         let refused = || place.refused("its axes are not parameters of the scene");
         let document = record.global(head).ok_or_else(refused)?;
         let (pair, start) = document.scene.clone().model()?;
-        let global = serde_json::to_string(&document).map_err(|error| Error::certificate(error.to_string()))?;
-        let global = GlobalCertificate::parse(&global)?;
-        let (stable, is_leaf) = (record.stable.clone(), record.quarters.is_empty());
-        let mut parts = vec![Self { global, pair, start, stable, path: path.clone(), is_leaf }];
-        for (i, quarter) in record.quarters.iter().enumerate() {
-            parts.extend(Self::all(head, quarter, place, format!("{path}.quarters[{i}]"))?);
+        let global = GlobalCertificate::of(&document, place)?;
+        let mut parts = vec![Self { global, pair, start, stable: record.stable.clone() }];
+        let places = if record.quarters.is_empty() { Vec::new() } else { place.get("quarters")?.list()? };
+        for (quarter, place) in record.quarters.iter().zip(&places) {
+            parts.extend(Self::all(head, quarter, place)?);
         }
         Ok(parts)
     }
@@ -186,33 +131,11 @@ impl Part {
     pub fn claims_something(&self) -> bool {
         self.global.claims_something() || !self.stable.is_empty()
     }
-
-    /// Unchecked keys of this part that are not unchecked at every point.
-    fn unjudged(&self) -> Vec<String> {
-        if !self.claims_something() {
-            let of = |key: &&str| format!("{}.{key}", self.path);
-            return if self.is_leaf { vec![self.path.clone()] } else { RESULT_KEYS.iter().map(of).collect() };
-        }
-        // Unknown keys, and keys that not every component has; and an unchecked class.
-        let of_points = |key: &str| UNJUDGED.contains(&format!("points.{key}").as_str());
-        let is_other = |key: &&String| !of_points(key);
-        let is_own = |key: &&String| key.starts_with("components") || *key == "class";
-        let own = self.global.unjudged().iter().filter(is_own).filter(is_other).map(String::as_str);
-        // The number of sets of saddle type is checked if the place of each is given. Lemma V28
-        let counts_sets = self.global.claimed().iter().any(|claim| claim.is_saddle_set);
-        let count = (counts_sets && !self.global.says_there_are_no_others()).then_some("n_saddle");
-        own.chain(count).map(|key| format!("{}.{key}", self.path)).collect()
-    }
 }
 
 impl ClaimedPoint {
-    fn of(
-        head: &AtlasHead,
-        axes: &Axes<'_>,
-        record: &AtlasRecord,
-        (place, path): (&Place<'_>, String),
-    ) -> Result<Self, Error> {
-        let parts = Part::all(head, record, place, path)?;
+    fn of(head: &AtlasHead, axes: &Axes<'_>, record: &AtlasRecord, place: &Place<'_>) -> Result<Self, Error> {
+        let parts = Part::all(head, record, place)?;
         let (places, is_of_grid, cut) = if head.cells {
             of_tile(axes, record)?
         } else {

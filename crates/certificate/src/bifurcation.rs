@@ -1,12 +1,15 @@
 //! The bifurcation JSON, read back: the claims about its points, as exact fractions.
 
 use super::attraction::{Bounds, ClaimedOrbit};
-use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place, value};
+use super::claims::whole;
+use super::marks::{self, Mark};
+use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::{Bifurcation as Kind, BranchEnd};
 use impact_pair_model::{Error, ImpactPair, Mapping, Start, Wall, Word};
 use num_rational::BigRational;
+use serde_json::Value;
 
 /// The claims of a bifurcation JSON.
 #[derive(Clone, Debug)]
@@ -17,7 +20,7 @@ pub struct BifurcationCertificate {
     points: Vec<ClaimedPoint>,
     /// A contradiction between the document's own fields.
     contradiction: Option<String>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A claimed bifurcation.
@@ -43,18 +46,6 @@ pub(super) fn parameter(place: &Place<'_>) -> Result<Key, Error> {
             )
         },
     )
-}
-
-/// The key in the scene whose value the parameter replaces; the value there only names the scene.
-pub(super) fn own_value(key: Key) -> String {
-    let place = match key {
-        Key::Amplitude(_) => "excitation.amplitude",
-        Key::Frequency(_) => "excitation.frequency",
-        Key::Restitution => "restitution",
-        _ => "gap",
-    };
-    let number = key.term().map_or_else(String::new, |term| format!("[{}]", term.get() - 1));
-    format!("scene.{place}{number}")
 }
 
 impl ClaimedPoint {
@@ -92,29 +83,14 @@ impl BifurcationCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, BIFURCATION_SCHEMA)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, BIFURCATION_SCHEMA)?;
         let document: BifurcationDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
         let places = whole.get("points")?.list()?;
         let points = document.points.iter().zip(&places).map(|(point, place)| ClaimedPoint::of(point, place));
         let points: Vec<ClaimedPoint> = points.collect::<Result<_, _>>()?;
-        let mut unjudged: Vec<String> = Vec::new();
-        unjudged.extend(
-            ["program", "scene.start", "over.low", "over.high"].map(str::to_owned).into_iter().chain([own_value(over)]),
-        );
-        unjudged.extend((!document.branches.is_empty()).then(|| "branches".to_owned()));
-        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
-        unjudged.extend(document.exhaustive.then(|| "exhaustive".to_owned()));
-        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
-        let is_graze = |(_, point): &(usize, &ClaimedPoint)| point.kind == Kind::Graze;
-        unjudged.extend(points.iter().enumerate().filter(is_graze).map(|(i, _)| format!("points[{i}]")));
-        // The claim that all points are proved includes the grazes.
-        unjudged.extend(points.iter().enumerate().any(|point| is_graze(&point)).then(|| "certified".to_owned()));
-        unjudged.extend((!points.is_empty()).then(|| "points.orbit.unique".to_owned()));
-        unjudged.sort();
-        unjudged.dedup();
+        let marks = marks::bifurcations(&document, over);
         let contradiction = contradiction(&document, &points)?;
         let (pair, _) = document.scene.model()?;
         Ok(Self {
@@ -124,7 +100,7 @@ impl BifurcationCertificate {
             over,
             points,
             contradiction,
-            unjudged,
+            marks,
         })
     }
 
@@ -158,9 +134,9 @@ impl BifurcationCertificate {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }
 

@@ -1,9 +1,12 @@
 //! The JSON of words and entropy, read back.
 
-use super::bifurcation::{own_value, parameter};
-use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS, Place, value};
+use super::bifurcation::parameter;
+use super::claims::whole;
+use super::marks::{self, Mark};
+use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
+use serde_json::Value;
 
 /// The claims of a chaos JSON.
 #[derive(Clone, Debug)]
@@ -11,32 +14,16 @@ pub struct ChaosCertificate {
     /// The impact pair, with all values of the parameter.
     pair: ImpactPair,
     document: ChaosDocument,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
-
-/// Keys that no lemma of `check` covers.
-const UNJUDGED: [&str; 11] = [
-    "boxes",
-    "depth",
-    "exponent_seen",
-    "hyperbolic.cells",
-    "interrupted",
-    "left_out",
-    "program",
-    "scene.excitation.frequency",
-    "scene.excitation.phase",
-    "scene.start",
-    "scene_orbit",
-];
 
 impl ChaosCertificate {
     /// Reads a chaos JSON.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, CHAOS_SCHEMA)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, CHAOS_SCHEMA)?;
         let document: ChaosDocument = whole.read()?;
         if !document.certified {
             return Err(whole.get("certified")?.refused("only a certified entropy claims anything: accepted is true"));
@@ -44,18 +31,17 @@ impl ChaosCertificate {
         if document.words.len() > MOST_WORDS {
             return Err(whole.get("words")?.refused(&format!("accepted are at most {MOST_WORDS} words")));
         }
-        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
+        let mut varied = None;
         let (mut pair, _) = document.scene.clone().model()?;
         if let Some(over) = &document.over {
             let key = parameter(&whole.get("over")?.get("key")?)?;
             let range = Exact::interval(&over.low.0, &over.high.0)
                 .map_err(|error| Error::certificate(format!("over: {error}")).because(error))?;
             pair = pair.with(key, range)?;
-            unjudged.push(own_value(key));
+            varied = Some(key);
         }
-        unjudged.sort();
-        unjudged.dedup();
-        Ok(Self { pair, document, unjudged })
+        let marks = marks::chaos(&document, varied);
+        Ok(Self { pair, document, marks })
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -75,8 +61,8 @@ impl ChaosCertificate {
         self.document.words.len()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }

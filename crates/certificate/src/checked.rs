@@ -7,6 +7,7 @@ use impact_pair_model::watch::{Stage, Watch};
 use impact_pair_model::{Error, EventKind};
 
 use crate::check::Data;
+use crate::marks::Mark;
 use crate::{
     AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CyclesCertificate,
     Effort, GlobalCertificate, PeriodicCertificate, SweepCertificate, TangencyCertificate, TrapCertificate, Verdict,
@@ -25,8 +26,8 @@ pub(super) trait Checked {
     /// Number of items.
     fn count(&self) -> usize;
 
-    /// The keys whose values are not checked.
-    fn unjudged(&self) -> &[String];
+    /// What is said of each value.
+    fn marks(&self) -> &Mark;
 
     /// The key of the list.
     fn items(&self) -> &'static str;
@@ -60,11 +61,6 @@ pub(super) trait Checked {
     /// Whether a confirmed item is confirmed for all data, independently of the verdicts on other items.
     fn is_one_by_one(&self) -> bool {
         true
-    }
-
-    /// Whether the value at a path belongs to an item without claims.
-    fn is_silent(&self, _: &str) -> bool {
-        false
     }
 
     /// Whether none of the document's claims is checked: then nothing is confirmed.
@@ -104,8 +100,8 @@ macro_rules! checked {
             self.count()
         }
 
-        fn unjudged(&self) -> &[String] {
-            self.unjudged()
+        fn marks(&self) -> &Mark {
+            self.marks()
         }
 
         fn items(&self) -> &'static str {
@@ -132,8 +128,8 @@ impl Checked for Certificate {
         self.events().len()
     }
 
-    fn unjudged(&self) -> &[String] {
-        self.unjudged()
+    fn marks(&self) -> &Mark {
+        self.marks()
     }
 
     fn items(&self) -> &'static str {
@@ -202,8 +198,8 @@ impl Checked for CyclesCertificate {
         self.orbits().count()
     }
 
-    fn unjudged(&self) -> &[String] {
-        self.orbits().unjudged()
+    fn marks(&self) -> &Mark {
+        self.orbits().marks()
     }
 
     fn items(&self) -> &'static str {
@@ -295,10 +291,6 @@ impl Checked for SweepCertificate {
 impl Checked for AtlasCertificate {
     checked!("points");
     judged!();
-
-    fn is_silent(&self, path: &str) -> bool {
-        self.is_silent(path)
-    }
 
     fn first(&self, count: usize) -> String {
         counted(count, if self.has_cells() { "tile" } else { "point" })

@@ -1,7 +1,8 @@
 //! Documents of every verb, and the claims that `check` proves of them.
 
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Deserializer, Value};
+use serde_json::Value;
 
 use crate::checked::Checked;
 use crate::{
@@ -11,15 +12,24 @@ use crate::{
 };
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, AuditDocument, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
-    DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, ManifoldDocument, PERIODIC_SCHEMA, SWEEP_SCHEMA,
-    TANGENCY_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, TradeDocument, TwoImpactDocument, WINDOWS_SCHEMA, counted, read, value,
+    DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, ManifoldDocument, PERIODIC_SCHEMA, Place, SWEEP_SCHEMA,
+    SceneDocument, TANGENCY_SCHEMA, TRADE_SCHEMA, TRAP_SCHEMA, TradeDocument, TwoImpactDocument, WINDOWS_SCHEMA,
+    counted, values,
 };
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
 
 /// The claims of a document.
 #[derive(Clone, Debug)]
-pub enum Claims {
+pub struct Claims {
+    /// The values of its text: one, or one for each line of JSON Lines; without the documents in it.
+    pub(super) values: Vec<Value>,
+    pub(super) of: Of,
+}
+
+/// The claims of a document by its verb.
+#[derive(Clone, Debug)]
+pub(super) enum Of {
     /// An orbit JSON: all events and the outcome are checked.
     Orbit(Box<Certificate>),
     /// A periodic JSON, or a JSON of two-impact motions: all orbits are checked, not that there are no others.
@@ -63,73 +73,84 @@ impl Claims {
     /// use impact_pair_certificate::Claims;
     ///
     /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
-    /// assert!(matches!(Claims::parse(text)?, Claims::Orbit(_)));
+    /// assert_eq!(Claims::parse(text)?.all(), "6 events and the outcome");
     ///
     /// let error = Claims::parse(&text.replace("\"P2\"", "\"P5\"")).unwrap_err().to_string();
     /// assert!(error.contains("mapping") && error.contains("P5"), "{error}");
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let head = Deserializer::from_str(text).into_iter::<Value>().next().and_then(Result::ok);
-        if let Some(Value::Array(_)) = &head {
-            // Nothing may follow the list.
-            return Self::list(&value(text)?);
+        Self::of(values(text)?)
+    }
+
+    /// The claims of the values of a text.
+    fn of(mut values: Vec<Value>) -> Result<Self, Error> {
+        if let [Value::Array(documents)] = &mut values[..] {
+            let documents = std::mem::take(documents).into_iter().map(Self::of_list).collect::<Result<_, _>>()?;
+            return Ok(Self { values: Vec::new(), of: Of::List(documents) });
         }
-        let schema = head.as_ref().and_then(|head| head["schema"].as_str());
-        Ok(match schema {
-            Some(PERIODIC_SCHEMA)
-                if head
-                    .as_ref()
-                    .is_some_and(|head| !matches!(head["solved_for"].as_str(), None | Some("velocity"))) =>
-            {
+        let (all, head) = (&values[..], &values[0]);
+        let is_solved = |head: &Value| head["solved_for"].as_str().is_some_and(|what| what != "velocity");
+        let of = match head["schema"].as_str() {
+            Some(PERIODIC_SCHEMA) if is_solved(head) => {
                 let why = "motions solved for the amplitude or the gap: their scene has another one";
-                Self::unchecked::<TwoImpactDocument>(text, why)?
+                Of::unchecked::<TwoImpactDocument>(all, why)?
             }
-            Some(PERIODIC_SCHEMA) => Self::Periodic(Box::new(PeriodicCertificate::parse(text)?)),
-            Some(CYCLES_SCHEMA) => Self::Cycles(Box::new(CyclesCertificate::parse(text)?)),
-            Some(BIFURCATION_SCHEMA) => Self::Bifurcations(Box::new(BifurcationCertificate::parse(text)?)),
-            Some(WINDOWS_SCHEMA) => Self::Windows(Box::new(WindowsCertificate::parse(text)?)),
-            Some(TANGENCY_SCHEMA) => Self::Tangencies(Box::new(TangencyCertificate::parse(text)?)),
+            Some(PERIODIC_SCHEMA) if head.get("solved_for").is_some() => {
+                Of::Periodic(Box::new(PeriodicCertificate::read_two_impact(all)?))
+            }
+            Some(PERIODIC_SCHEMA) => Of::Periodic(Box::new(PeriodicCertificate::read(all)?)),
+            Some(CYCLES_SCHEMA) => Of::Cycles(Box::new(CyclesCertificate::read(all)?)),
+            Some(BIFURCATION_SCHEMA) => Of::Bifurcations(Box::new(BifurcationCertificate::read(all)?)),
+            Some(WINDOWS_SCHEMA) => Of::Windows(Box::new(WindowsCertificate::read(all)?)),
+            Some(TANGENCY_SCHEMA) => Of::Tangencies(Box::new(TangencyCertificate::read(all)?)),
             Some(MANIFOLD_SCHEMA) => {
-                Self::unchecked::<ManifoldDocument>(text, "parameter manifolds: that their points solve (66)-(69)")?
+                Of::unchecked::<ManifoldDocument>(all, "parameter manifolds: that their points solve (66)-(69)")?
             }
-            Some(CHAOS_CELLS_SCHEMA) => Self::Cells(Box::new(CellsCertificate::parse(text)?)),
-            Some(AUDIT_SCHEMA) => Self::unchecked::<AuditDocument>(
-                text,
+            Some(CHAOS_CELLS_SCHEMA) => Of::Cells(Box::new(CellsCertificate::read(all)?)),
+            Some(AUDIT_SCHEMA) => Of::unchecked::<AuditDocument>(
+                all,
                 "comparisons with another program's list: what is inside, missed or false",
             )?,
-            Some(GLOBAL_SCHEMA) => Self::Global(Box::new(GlobalCertificate::parse(text)?)),
-            Some(ATLAS_SCHEMA) => Self::Atlas(Box::new(AtlasCertificate::parse(text)?)),
-            Some(TRADE_SCHEMA) => Self::unchecked::<TradeDocument>(text, "measurements of the cost of accuracy")?,
-            Some(SWEEP_SCHEMA) => Self::Sweep(Box::new(SweepCertificate::parse(text)?)),
-            Some(CHAOS_SCHEMA) => Self::Chaos(Box::new(ChaosCertificate::parse(text)?)),
-            Some(TRAP_SCHEMA) => Self::Trap(Box::new(TrapCertificate::parse(text)?)),
-            Some(DESCRIPTION_SCHEMA) => Self::Description(Box::new(DescriptionCertificate::parse(text)?)),
-            _ => Self::Orbit(Box::new(Certificate::parse(text)?)),
-        })
-    }
-
-    /// A document that is read but not checked.
-    fn unchecked<T: DeserializeOwned>(text: &str, why: &'static str) -> Result<Self, Error> {
-        read::<T>(text).map(|_| Self::Unchecked(why))
-    }
-
-    fn list(documents: &Value) -> Result<Self, Error> {
-        let parse = |document: &Value| match document {
-            Value::Object(_) => Self::parse(&document.to_string()),
-            _ => Err(Error::certificate("a list must be one of documents".to_owned())),
+            Some(GLOBAL_SCHEMA) => Of::Global(Box::new(GlobalCertificate::read(all)?)),
+            Some(ATLAS_SCHEMA) => Of::Atlas(Box::new(AtlasCertificate::read(all)?)),
+            Some(TRADE_SCHEMA) => Of::unchecked::<TradeDocument>(all, "measurements of the cost of accuracy")?,
+            Some(SWEEP_SCHEMA) => Of::Sweep(Box::new(SweepCertificate::read(all)?)),
+            Some(CHAOS_SCHEMA) => Of::Chaos(Box::new(ChaosCertificate::read(all)?)),
+            Some(TRAP_SCHEMA) => Of::Trap(Box::new(TrapCertificate::read(all)?)),
+            Some(DESCRIPTION_SCHEMA) => Of::Description(Box::new(DescriptionCertificate::read(all)?)),
+            _ => Of::Orbit(Box::new(Certificate::read(all)?)),
         };
-        let documents = documents.as_array().into_iter().flatten();
-        Ok(Self::List(documents.map(parse).collect::<Result<_, _>>()?))
+        if let (Of::Description(description), Value::Object(entries)) = (&of, &mut values[0]) {
+            description.parts().iter().for_each(|(key, _)| drop(entries.remove(*key)));
+        }
+        Ok(Self { values, of })
+    }
+
+    fn of_list(document: Value) -> Result<Self, Error> {
+        if document.is_object() {
+            return Self::of(vec![document]);
+        }
+        Err(Error::certificate("a list must be one of documents".to_owned()))
+    }
+
+    /// The claims of a document in another one.
+    pub(super) fn part(values: Value, of: Of) -> Self {
+        Self { values: vec![values], of }
+    }
+
+    /// The scene of a document; `None` of a list of documents.
+    pub fn scene(&self) -> Option<SceneDocument> {
+        SceneDocument::deserialize(self.values.first()?.get("scene")?).ok()
     }
 
     /// The documents of a list or a description, each with its place; `None` for all others.
     pub(super) fn documents(&self) -> Option<Vec<(String, &Self)>> {
-        match self {
-            Self::List(documents) => {
+        match &self.of {
+            Of::List(documents) => {
                 Some(documents.iter().enumerate().map(|(i, document)| (format!("[{i}]"), document)).collect())
             }
-            Self::Description(certificate) => {
+            Of::Description(certificate) => {
                 Some(certificate.parts().iter().map(|(key, document)| ((*key).to_owned(), document)).collect())
             }
             _ => None,
@@ -191,21 +212,21 @@ impl Claims {
     /// let judged = claims.judge(&Effort::default(), &Unwatched)?;
     /// assert_eq!(judged.name(), VerdictName::Confirmed);
     /// // The same, value by value: schema impact-pair/check/1.
-    /// let document = claims.document(text, &judged);
+    /// let document = claims.document(&judged);
     /// assert!(document.claims.iter().any(|claim| claim.path == "events[5].time"));
     /// assert!(document.not_checked.contains(&"program".to_owned()));
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
-        if let Self::Description(certificate) = self
+        if let Of::Description(certificate) = &self.of
             && let Some(finding) = certificate.contradiction()
         {
             return Ok(CheckResult { verdict: Verdict::Refuted(finding), confirmed: 0 });
         }
         if let Some(documents) = self.documents() {
             let judged = Self::judge_each(&documents, effort, &Latched::new(watch))?;
-            return Ok(match (self, &judged.verdict) {
-                (Self::Description(certificate), Verdict::Confirmed { .. }) => certificate.with_fate(judged),
+            return Ok(match (&self.of, &judged.verdict) {
+                (Of::Description(certificate), Verdict::Confirmed { .. }) => certificate.with_fate(judged),
                 _ => judged,
             });
         }
@@ -226,20 +247,20 @@ impl Claims {
 
     /// The claims of one document; `None` for several documents, and for a document that is not checked.
     pub(super) fn certificate(&self) -> Option<&dyn Checked> {
-        Some(match self {
-            Self::Orbit(certificate) => &**certificate,
-            Self::Periodic(certificate) => &**certificate,
-            Self::Cycles(certificate) => &**certificate,
-            Self::Bifurcations(certificate) => &**certificate,
-            Self::Windows(certificate) => &**certificate,
-            Self::Global(certificate) => &**certificate,
-            Self::Tangencies(certificate) => &**certificate,
-            Self::Sweep(certificate) => &**certificate,
-            Self::Atlas(certificate) => &**certificate,
-            Self::Chaos(certificate) => &**certificate,
-            Self::Cells(certificate) => &**certificate,
-            Self::Trap(certificate) => &**certificate,
-            Self::Description(_) | Self::List(_) | Self::Unchecked(_) => return None,
+        Some(match &self.of {
+            Of::Orbit(certificate) => &**certificate,
+            Of::Periodic(certificate) => &**certificate,
+            Of::Cycles(certificate) => &**certificate,
+            Of::Bifurcations(certificate) => &**certificate,
+            Of::Windows(certificate) => &**certificate,
+            Of::Global(certificate) => &**certificate,
+            Of::Tangencies(certificate) => &**certificate,
+            Of::Sweep(certificate) => &**certificate,
+            Of::Atlas(certificate) => &**certificate,
+            Of::Chaos(certificate) => &**certificate,
+            Of::Cells(certificate) => &**certificate,
+            Of::Trap(certificate) => &**certificate,
+            Of::Description(_) | Of::List(_) | Of::Unchecked(_) => return None,
         })
     }
 
@@ -248,27 +269,6 @@ impl Claims {
         // Each of several documents counts one more for the statements about the whole document.
         let of_each = || self.documents().into_iter().flatten().map(|(_, document)| document.count() + 1).sum();
         self.certificate().map_or_else(of_each, |certificate| certificate.count())
-    }
-
-    /// Keys, or statements, that are not checked.
-    ///
-    /// ```
-    /// # use impact_pair_certificate::Claims;
-    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
-    /// assert_eq!(Claims::parse(text)?.unjudged(), ["arithmetic", "program"]);
-    /// # Ok::<(), impact_pair_model::Error>(())
-    /// ```
-    pub fn unjudged(&self) -> Vec<String> {
-        if let Self::Unchecked(why) = self {
-            return vec![(*why).to_owned()];
-        }
-        if let Some(certificate) = self.certificate() {
-            return certificate.unjudged().to_vec();
-        }
-        let of =
-            |(at, document): (String, &Self)| document.unjudged().into_iter().map(move |key| format!("{at}.{key}"));
-        let own = if let Self::Description(certificate) = self { certificate.own_unjudged() } else { &[] };
-        own.iter().cloned().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
     }
 
     /// The first `count` claims, in words.
@@ -294,10 +294,10 @@ impl Claims {
         }
         let documents = self.documents().unwrap_or_default();
         let each = documents.iter().map(|(_, document)| document.all()).collect::<Vec<_>>().join(", ");
-        match self {
-            Self::Description(certificate) if certificate.is_fate_judged() => format!("the fate: {each}"),
-            Self::Description(_) => format!("{each}, not the fate"),
-            Self::List(documents) => format!("{}: {each}", counted(documents.len(), "document")),
+        match &self.of {
+            Of::Description(certificate) if certificate.is_fate_judged() => format!("the fate: {each}"),
+            Of::Description(_) => format!("{each}, not the fate"),
+            Of::List(documents) => format!("{}: {each}", counted(documents.len(), "document")),
             _ => "nothing".to_owned(),
         }
     }
@@ -319,4 +319,23 @@ impl Claims {
             }
         }
     }
+}
+
+impl Of {
+    /// A document that is read but not checked.
+    fn unchecked<T: DeserializeOwned>(values: &[Value], why: &'static str) -> Result<Self, Error> {
+        only(values)?.read::<T>().map(|_| Self::Unchecked(why))
+    }
+}
+
+/// The value of a document that is no JSON Lines.
+fn only(values: &[Value]) -> Result<Place<'_>, Error> {
+    let [value] = values else { return Err(Error::certificate("not JSON: more follows the document".to_owned())) };
+    Ok(Place::whole(value))
+}
+
+/// The value of a document of this schema, which is no JSON Lines.
+pub(super) fn whole<'v>(values: &'v [Value], schema: &str) -> Result<Place<'v>, Error> {
+    only(values)?;
+    Place::of_schema(&values[0], schema)
 }

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::claims::whole;
 use impact_pair_model::vocabulary::Stability;
+use serde_json::Value;
 
 use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
-use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place, value};
+use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument};
 use impact_pair_model::Error;
 
 /// The claims of a JSON of all cycles.
@@ -21,10 +23,10 @@ impl CyclesCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let orbits = PeriodicCertificate::parse_cycles(text)?;
-        let value = value(text)?;
-        let document: CyclesDocument = Place::of_schema(&value, CYCLES_SCHEMA)?.read()?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, CYCLES_SCHEMA)?;
+        let document: CyclesDocument = whole.read()?;
+        let orbits = PeriodicCertificate::of_cycles(&whole, &document)?;
         let contradiction = contradiction(&document, orbits.orbits());
         Ok(Self { orbits, contradiction })
     }

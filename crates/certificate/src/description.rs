@@ -1,9 +1,11 @@
 //! The JSON of a description, read back: the orbit and the region inside are documents of their own.
 
+use super::claims::{Of, whole};
+use super::marks::{self, Mark};
 use serde_json::Value;
 
 use crate::{Certificate, CheckResult, Claims, Finding, TrapCertificate, Verdict};
-use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place, value};
+use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName};
 use impact_pair_model::{Error, Period, Word};
 
 /// The claims of a description.
@@ -12,23 +14,19 @@ pub struct DescriptionCertificate {
     document: DescriptionDocument,
     /// The documents inside that are proved again, each with its key.
     parts: Vec<(&'static str, Claims)>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// Keys of the documents in a description.
 const PROOF: &str = "proof";
 const REGION: &str = "region";
-/// Keys that no lemma of `check` covers, or that claim nothing.
-const UNJUDGED: [&str; 7] = ["entropy", "exponent", "horseshoe", "interrupted", "not_examined", "program", "undecided"];
-
 impl DescriptionCertificate {
     /// Reads a description.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, DESCRIPTION_SCHEMA)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, DESCRIPTION_SCHEMA)?;
         let document: DescriptionDocument = whole.read()?;
         document.scene.clone().model()?;
         if document.proof.as_ref().is_some_and(|orbit| orbit.claim != ClaimName::ExactStart) {
@@ -36,28 +34,17 @@ impl DescriptionCertificate {
             return Err(claim.refused("only an orbit from its exact start proves a fate: accepted is \"exact start\""));
         }
         let mut parts = Vec::new();
-        let text = |key: &str| value.get(key).filter(|part| !part.is_null()).map(Value::to_string);
-        if let Some(orbit) = text(PROOF) {
-            parts.push((PROOF, Claims::Orbit(Box::new(Certificate::parse(&orbit)?))));
+        if let Some(orbit) = &document.proof {
+            let orbit = Certificate::whole(&whole.get(PROOF)?, (**orbit).clone())?;
+            parts.push((PROOF, Claims::part(values[0][PROOF].clone(), Of::Orbit(Box::new(orbit)))));
         }
-        if let Some(region) = text(REGION) {
-            parts.push((REGION, Claims::Trap(Box::new(TrapCertificate::parse(&region)?))));
+        if let Some(region) = &document.region {
+            let region = TrapCertificate::of(region.clone(), &whole.get(REGION)?)?;
+            parts.push((REGION, Claims::part(values[0][REGION].clone(), Of::Trap(Box::new(region)))));
         }
-        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
-        if document.proof.is_none() {
-            unjudged.push("fate.impacts".to_owned());
-        }
-        let own = Self { document, parts, unjudged };
-        Ok(if own.is_fate_judged() { own } else { own.without_fate() })
-    }
-
-    /// A description whose fate is not proved by any document inside.
-    fn without_fate(mut self) -> Self {
-        self.unjudged.extend(["certified", "fate"].map(str::to_owned));
-        if self.parts.is_empty() {
-            self.unjudged.extend(["scene", "schema"].map(str::to_owned));
-        }
-        self
+        let mut own = Self { marks: marks::checked(""), document, parts };
+        own.marks = marks::description(&own.document, own.is_fate_judged());
+        Ok(own)
     }
 
     /// The documents inside the description, each with its key.
@@ -65,9 +52,9 @@ impl DescriptionCertificate {
         &self.parts
     }
 
-    /// Keys of the description itself whose values the check does not compare.
-    pub(super) fn own_unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of the values of the description itself.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 
     /// Whether a document inside proves the fate.

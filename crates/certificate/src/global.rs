@@ -1,19 +1,20 @@
 //! The JSON of a global analysis, read back.
 
-mod unjudged;
-
 use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit};
+use super::claims::whole;
 use super::cycles::is_reduced_period;
+use super::marks::{self, Components, Mark};
 use super::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_document::{
-    BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, ProvedHorseshoeDocument, value,
+    BasinDocument, ComponentDocument, GLOBAL_SCHEMA, GlobalDocument, Place, ProvedHorseshoeDocument,
 };
 use impact_pair_exact::{Exact, Real};
 use impact_pair_model::vocabulary::{Class, ComponentKind, Stability};
 use impact_pair_model::{Error, ImpactPair, Wall};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use serde_json::Value;
 use std::cmp::Ordering;
 
 /// The claims of a JSON of a global analysis.
@@ -33,7 +34,7 @@ pub struct GlobalCertificate {
     /// True if a motion of the pair is proved to graze one wall for ever.
     has_grazing_motion: bool,
     contradiction: Option<String>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A component with a claim.
@@ -62,12 +63,15 @@ impl GlobalCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, GLOBAL_SCHEMA)?;
-        let document: GlobalDocument = whole.read()?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, GLOBAL_SCHEMA)?;
+        Self::of(&whole.read()?, &whole)
+    }
+
+    /// The claims of a global analysis; `place` is the place of its components in the file.
+    pub(super) fn of(document: &GlobalDocument, place: &Place<'_>) -> Result<Self, Error> {
         let (pair, _) = document.scene.clone().model()?;
-        let places = whole.get("components")?.list()?;
+        let places = place.get("components")?.list()?;
         let (mut claimed, mut orbits) = (Vec::new(), Vec::new());
         for (i, (component, place)) in document.components.iter().zip(&places).enumerate() {
             let claim = Claimed::of(i, component, place)?;
@@ -81,16 +85,14 @@ impl GlobalCertificate {
         let says_there_are_no_others = !is_open && !document.interrupted;
         let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
         let has_grazing_motion = has_grazing_motion(&pair);
-        let mut unjudged = unjudged::keys(&document, says_there_are_no_others, has_grazing_motion);
-        unjudged.sort();
-        unjudged.dedup();
+        let marks = marks::global(document, Components { are_all: says_there_are_no_others, has_grazing_motion });
         let rests = document.components.iter().find(|component| component.kind == ComponentKind::RestCycle);
         let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
         let of_basin = |basin: &BasinDocument| (basin.component as usize, basin.area.value());
         let basins = basins.map(|basins| (basins.boxes, basins.areas.iter().map(of_basin).collect()));
         let greatest_speed = document.greatest_speed.value().to_f64().unwrap_or(f64::NAN); // V27: none that is not is accepted
         let orbits = (!orbits.is_empty()).then(|| PeriodicCertificate::of_orbits(pair.clone(), orbits)).transpose()?;
-        let contradiction = contradiction(&document);
+        let contradiction = contradiction(document);
         Ok(Self {
             pair,
             orbits,
@@ -102,7 +104,7 @@ impl GlobalCertificate {
             says_there_are_no_others,
             has_grazing_motion,
             contradiction,
-            unjudged,
+            marks,
         })
     }
 
@@ -135,6 +137,11 @@ impl GlobalCertificate {
     /// Approximate number of boxes of the first partition: with wide intervals few boxes are enough, and many take long.
     pub(super) fn boxes(&self) -> u32 {
         self.boxes
+    }
+
+    /// What is said of the components depends on this.
+    pub(super) fn components(&self) -> Components {
+        Components { are_all: self.says_there_are_no_others, has_grazing_motion: self.has_grazing_motion }
     }
 
     /// Whether every motion is claimed to end in one of the components with a claim.
@@ -178,9 +185,9 @@ impl GlobalCertificate {
         self.claimed.len()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }
 
@@ -213,7 +220,7 @@ fn has_grazing_motion(pair: &ImpactPair) -> bool {
 }
 
 /// Whether a component is claimed to be a set of saddle type, not one periodic motion.
-fn is_saddle_set(component: &ComponentDocument) -> bool {
+pub(super) fn is_saddle_set(component: &ComponentDocument) -> bool {
     component.kind == ComponentKind::Saddle && component.orbit.is_none()
 }
 

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::marks::Pinned;
 use impact_pair_document::{Place, SceneDocument, SweepAxis, Written};
 use impact_pair_exact::{Exact, ExactError};
 use impact_pair_model::Error;
@@ -133,25 +134,14 @@ impl<'a> Axes<'a> {
         Ok(Placed { values, places, is_of_grid })
     }
 
-    /// Keys of the scene's own values of the varied parameters: these values only name the scene.
-    pub fn own_values(&self) -> impl Iterator<Item = String> {
-        let term = |key: &Key| key.term().map_or(0, |term| usize::from(term.get()) - 1); // exact: the only one
-        self.keys.iter().map(move |key| match key {
-            Key::Amplitude(_) => format!("scene.excitation.amplitude[{}]", term(key)),
-            Key::Frequency(_) => format!("scene.excitation.frequency[{}]", term(key)),
-            Key::Phase(_) => format!("scene.excitation.phase[{}]", term(key)),
-            Key::Gap => "scene.gap".to_owned(),
-            Key::Restitution => "scene.restitution".to_owned(),
-            Key::StartTime | Key::StartPhase => "scene.start.time".to_owned(),
-            Key::StartPosition => "scene.start.position".to_owned(),
-            Key::StartVelocity => "scene.start.velocity".to_owned(),
-        })
-    }
-
-    /// Axes on which all points have one value: such points do not determine both ends and the count.
-    pub fn unpinned(&self, points: &[&[Option<u64>]]) -> Vec<String> {
+    /// The part of the grid that these points determine: both ends and the count of an axis, where they have several values on it.
+    pub fn pinned(&self, points: &[&[Option<u64>]]) -> Pinned {
         let is_pinned = |axis: usize| points.iter().any(|places| places.get(axis) != points[0].get(axis));
-        (0..self.keys.len()).filter(|axis| !is_pinned(*axis)).map(|axis| format!("over[{axis}]")).collect()
+        Pinned {
+            keys: self.keys.clone(),
+            axes: (0..self.keys.len()).map(is_pinned).collect(),
+            has_several: points.len() > 1,
+        }
     }
 }
 

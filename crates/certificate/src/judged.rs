@@ -1,9 +1,11 @@
 //! Results of a check, claim by claim: the verdict on each value of a document.
 
-use serde_json::{Deserializer, Value};
+use serde_json::Value;
 
 use crate::checked::Checked;
+use crate::claims::Of;
 use crate::leaves::Leaves;
+use crate::marks::LINES;
 use crate::{Claims, Finding, Verdict};
 use impact_pair_document::{CHECK_SCHEMA, CheckDocument, JudgedClaim, VerdictName};
 
@@ -39,21 +41,15 @@ struct Part<'c> {
     claims: &'c Claims,
     /// Beginning of the document's paths: its position in a list.
     prefix: String,
-    /// The JSON values of the document: one, or a value for each line of JSON Lines.
-    values: Vec<&'c Value>,
     /// The number of the document's first claim.
     first: usize,
 }
 
 impl Claims {
-    /// Each claim of the text from which `self` was read, with its verdict.
-    ///
-    /// # Panics
-    /// Panics if `self` was read from another text.
-    pub fn document(&self, text: &str, judged: &CheckResult) -> CheckDocument {
-        let values: Vec<Value> = Deserializer::from_str(text).into_iter().map_while(Result::ok).collect();
+    /// Each claim of the document, with its verdict.
+    pub fn document(&self, judged: &CheckResult) -> CheckDocument {
         let (mut claims, mut not_checked, mut unchecked_claims) = (Vec::new(), Vec::new(), Vec::new());
-        for part in self.parts(&values) {
+        for part in self.parts() {
             unchecked_claims.append(&mut part.judge(judged, &mut claims, &mut not_checked));
         }
         unchecked_claims.sort();
@@ -93,56 +89,83 @@ impl Claims {
         }
     }
 
-    fn parts<'c>(&'c self, values: &'c [Value]) -> Vec<Part<'c>> {
+    /// Keys, or statements, that are not checked: those that the document has.
+    ///
+    /// ```
+    /// # use impact_pair_certificate::Claims;
+    /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
+    /// assert_eq!(Claims::parse(text)?.unjudged(), ["arithmetic", "program"]);
+    /// # Ok::<(), impact_pair_model::Error>(())
+    /// ```
+    pub fn unjudged(&self) -> Vec<String> {
+        let of = |part: Part<'_>| match &part.claims.of {
+            Of::Unchecked(why) => vec![(*why).to_owned()],
+            _ => part.leaves().names.iter().map(|name| format!("{}{name}", part.prefix)).collect(),
+        };
+        self.parts().into_iter().flat_map(of).collect()
+    }
+
+    /// What is said of each value of the document, but for those of documents in it: its key without positions in lists, the lemmas that
+    /// check it, and why it is not checked, or where.
+    pub fn keys(&self) -> Vec<(String, &'static str, Vec<&'static str>)> {
+        let mut rows = Vec::new();
+        let marks = self.certificate().map(Checked::marks);
+        let own = if let Of::Description(certificate) = &self.of { Some(certificate.marks()) } else { marks };
+        own.into_iter().for_each(|marks| marks.rows("", &mut rows));
+        rows
+    }
+
+    fn parts(&self) -> Vec<Part<'_>> {
         let mut parts = Vec::new();
-        self.add_parts(&mut parts, String::new(), values.iter().collect(), 0);
+        self.add_parts(&mut parts, String::new(), 0);
         parts
     }
 
     /// Adds the parts of a document to `parts`; `prefix` is the document's place, `first` the number of its first claim.
-    fn add_parts<'c>(&'c self, parts: &mut Vec<Part<'c>>, prefix: String, values: Vec<&'c Value>, first: usize) {
+    fn add_parts<'c>(&'c self, parts: &mut Vec<Part<'c>>, prefix: String, first: usize) {
         let mut next = first;
-        for (i, (at, document)) in self.documents().into_iter().flatten().enumerate() {
-            let value = if let Self::List(_) = self { &values[0][i] } else { &values[0][at.as_str()] };
-            document.add_parts(parts, format!("{prefix}{at}."), vec![value], next);
+        for (at, document) in self.documents().into_iter().flatten() {
+            document.add_parts(parts, format!("{prefix}{at}."), next);
             next += document.count() + 1;
         }
-        if !matches!(self, Self::List(_)) {
-            parts.push(Part { claims: self, prefix, values, first: next });
+        if !matches!(self.of, Of::List(_)) {
+            parts.push(Part { claims: self, prefix, first: next });
         }
     }
 }
 
-impl Part<'_> {
-    /// Adds the verdicts on the values of the document, and the paths of the values that are not checked; returns the keys among these
-    /// that claim something.
-    fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) -> Vec<String> {
-        let (names, items) = (self.claims.unjudged(), self.claims.certificate().map(Checked::items));
-        let mut leaves = Leaves::new(&names, items);
-        match (self.claims, &self.values[..]) {
-            (Claims::Unchecked(_), values) => {
-                let keys = values.iter().filter_map(|value| value.as_object()).flat_map(|value| value.keys());
+impl<'c> Part<'c> {
+    /// The values of the document, sorted by what is said of them.
+    fn leaves(&self) -> Leaves<'c> {
+        let mut leaves = Leaves::new(self.claims.certificate().map(Checked::items));
+        let marks = match (&self.claims.of, self.claims.certificate()) {
+            (Of::Description(certificate), _) => certificate.marks(),
+            (_, Some(certificate)) => certificate.marks(),
+            (_, None) => {
+                let keys = self.claims.values.iter().filter_map(Value::as_object).flat_map(|value| value.keys());
                 leaves.others.extend(keys.cloned());
+                return leaves;
             }
-            (Claims::Description(certificate), [head, ..]) => {
-                let is_own = |key: &str| certificate.parts().iter().all(|(part, _)| *part != key);
-                let entries = head.as_object().into_iter().flatten().filter(|(key, _)| is_own(key));
-                entries.for_each(|(key, value)| leaves.add(key, key, value));
-            }
-            (Claims::Orbit(_), [head, events @ .., end]) => {
-                leaves.add("", "", head);
-                add_each(&mut leaves, "events", events);
-                leaves.add("", "", end);
+        };
+        match (&self.claims.of, &self.claims.values[..]) {
+            (Of::Orbit(_), [head, events @ .., end]) => {
+                leaves.add("", "", head, marks);
+                leaves.add_lines("events", events, marks.at("events"));
+                leaves.add("", "", end, marks);
             }
             (_, [head, lines @ ..]) => {
-                leaves.add("", "", head);
-                add_each(&mut leaves, "points", lines);
+                leaves.add("", "", head, marks);
+                leaves.add_lines("points", lines, marks.at(LINES));
             }
             (_, []) => unreachable!("a document is read from a value"),
         }
-        let Leaves { judged: mut paths, mut others, mut unchecked, .. } = leaves;
-        // An atlas has points without a proved result: they claim nothing.
-        unchecked.retain(|[path, _]| !self.claims.certificate().is_some_and(|certificate| certificate.is_silent(path)));
+        leaves
+    }
+
+    /// Adds the verdicts on the values of the document, and the paths of the values that are not checked; returns the keys among these
+    /// that claim something.
+    fn judge(&self, judged: &CheckResult, claims: &mut Vec<JudgedClaim>, not_checked: &mut Vec<String>) -> Vec<String> {
+        let Leaves { judged: mut paths, mut others, unchecked, items, .. } = self.leaves();
         let decisive = self.decisive(judged);
         if let Some((path, _)) = &decisive {
             // If an item decides the verdict, its own values are in doubt as well.
@@ -157,13 +180,13 @@ impl Part<'_> {
         claims.extend(paths.into_iter().map(|path| self.verdict(path, judged, decisive.as_ref(), items)));
         not_checked.extend(others.into_iter().map(|path| format!("{}{path}", self.prefix)));
         let prefix = self.prefix.rsplit_once("].").map_or(self.prefix.as_str(), |(_, key)| key);
-        unchecked.into_iter().map(|[_, path]| format!("{prefix}{path}")).collect()
+        unchecked.into_iter().map(|path| format!("{prefix}{path}")).collect()
     }
 
     /// Path and message of the deciding claim, if it is in this document.
     fn decisive(&self, judged: &CheckResult) -> Option<(String, String)> {
         let Finding { event, message } = judged.finding()?;
-        if let Claims::Description(_) = self.claims {
+        if let Of::Description(_) = self.claims.of {
             // A contradiction to its documents begins with the key.
             let key = message.split(' ').next().filter(|_| *event == self.first)?;
             return Some((key.to_owned(), message.clone()));
@@ -192,11 +215,6 @@ impl Part<'_> {
         };
         JudgedClaim { path: format!("{}{path}", self.prefix), verdict, reason }
     }
-}
-
-/// Adds the lines of a document that are the items of a list.
-fn add_each(leaves: &mut Leaves<'_>, list: &str, lines: &[&Value]) {
-    lines.iter().enumerate().for_each(|(i, line)| leaves.add(&format!("{list}[{i}]"), list, line));
 }
 
 /// Whether a path leads into the value at `outer`.

@@ -1,53 +1,48 @@
-//! The values of a document one by one, and the values that a check does not compare with anything.
+//! The values of a document one by one, sorted by what is said of them.
 
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use crate::settings::is_setting;
+use crate::marks::{Mark, Said};
 
 /// Sorts the values of a document into checked and unchecked values.
 pub(super) struct Leaves<'n> {
-    /// Unchecked paths: with the positions in lists, or without them for all items.
-    unjudged: HashSet<&'n str>,
     /// The list whose items are claims one after another.
-    items: Option<&'n str>,
+    pub items: Option<&'n str>,
     /// Checked paths: each a plain value, or a list of plain values.
     pub judged: Vec<String>,
     /// Unchecked paths, each with everything below it.
     pub others: Vec<String>,
-    /// Unchecked paths with a claim: the path, and the path without positions in lists.
-    pub unchecked: Vec<[String; 2]>,
-}
-
-/// Keys of flags that claim nothing where they are false.
-const FLAGS: [&str; 5] = ["certified", "exhaustive", "no_attractor", "no_rest", "stable_between"];
-
-/// Keys at which `null` is a claim: that no mapping is named, that no two of the words are free.
-const NULL_CLAIMS: [&str; 2] = ["events.mapping", "horseshoe"];
-
-/// Whether a value exists at a path without the positions in lists.
-pub(super) fn is_there(value: &Value, path: &str) -> bool {
-    let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
-    match value {
-        Value::Array(items) => items.iter().any(|item| is_there(item, path)),
-        Value::Object(entries) => entries.get(key).is_some_and(|value| rest.is_none_or(|rest| is_there(value, rest))),
-        _ => false,
-    }
+    /// Unchecked paths with a claim, without positions in lists.
+    pub unchecked: Vec<String>,
+    /// Unchecked paths that say something; with positions in lists where that is decided for each item.
+    pub names: BTreeSet<String>,
 }
 
 impl<'n> Leaves<'n> {
-    pub fn new(unjudged: &'n [String], items: Option<&'n str>) -> Self {
-        let unjudged = unjudged.iter().map(String::as_str).collect();
-        Self { unjudged, items, judged: Vec::new(), others: Vec::new(), unchecked: Vec::new() }
+    pub fn new(items: Option<&'n str>) -> Self {
+        let (judged, others, unchecked) = (Vec::new(), Vec::new(), Vec::new());
+        Self { items, judged, others, unchecked, names: BTreeSet::new() }
+    }
+
+    /// Sorts the lines of a document that are the items of a list.
+    pub fn add_lines(&mut self, list: &str, lines: &[Value], mark: Option<&Mark>) {
+        for (i, line) in lines.iter().enumerate() {
+            let mark = mark.and_then(|mark| mark.item(i)).expect("a mark for each line");
+            self.add(&format!("{list}[{i}]"), list, line, mark);
+        }
     }
 
     /// Sorts the value at a path; `unnumbered` is the path without the positions in lists.
-    pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value) {
-        let is_unjudged = self.unjudged.contains(path) || self.unjudged.contains(unnumbered);
-        if is_unjudged || self.says_nothing(unnumbered, value) {
-            if !is_setting(path) && self.claims(unnumbered, value) {
-                self.unchecked.push([path, unnumbered].map(str::to_owned));
+    pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value, mark: &Mark) {
+        if mark.said != Said::Checked || self.says_nothing(unnumbered, value, mark) {
+            let is_said = matches!(mark.said, Said::Claimed | Said::Setting) && says_something(value);
+            if is_said && mark.said == Said::Claimed {
+                self.unchecked.push(unnumbered.to_owned());
+            }
+            if is_said {
+                self.names.insert(if mark.is_of_item { path } else { unnumbered }.to_owned());
             }
             return self.others.push(path.to_owned());
         }
@@ -56,12 +51,14 @@ impl<'n> Leaves<'n> {
                 let full =
                     |path: &str, key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
                 for (key, value) in entries {
-                    self.add(&full(path, key), &full(unnumbered, key), value);
+                    let mark = mark.at(key).expect("a mark for each key");
+                    self.add(&full(path, key), &full(unnumbered, key), value, mark);
                 }
             }
-            Value::Array(items) if !self.is_one_claim(path, unnumbered, items) => {
+            Value::Array(items) if !self.is_one_claim(unnumbered, items, mark) => {
                 for (i, item) in items.iter().enumerate() {
-                    self.add(&format!("{path}[{i}]"), unnumbered, item);
+                    let mark = mark.item(i).expect("a mark for each item");
+                    self.add(&format!("{path}[{i}]"), unnumbered, item, mark);
                 }
             }
             _ => self.judged.push(path.to_owned()),
@@ -69,83 +66,89 @@ impl<'n> Leaves<'n> {
     }
 
     /// Whether a list consists of plain values that are checked together, such as bounds.
-    fn is_one_claim(&self, path: &str, unnumbered: &str, items: &[Value]) -> bool {
+    fn is_one_claim(&self, unnumbered: &str, items: &[Value], mark: &Mark) -> bool {
         items.iter().enumerate().all(|(i, item)| {
-            !item.is_object()
-                && !item.is_array()
-                && !self.says_nothing(unnumbered, item)
-                && !self.unjudged.contains(format!("{path}[{i}]").as_str())
+            let is_plain = !item.is_object() && !item.is_array();
+            let is_checked = mark.item(i).is_none_or(|mark| mark.said == Said::Checked);
+            is_plain && is_checked && !self.says_nothing(unnumbered, item, mark)
         })
     }
 
-    /// Whether a value, or a value below it, claims something.
-    fn claims(&self, unnumbered: &str, value: &Value) -> bool {
-        !is_setting(unnumbered)
-            && !self.says_nothing(unnumbered, value)
-            && match value {
-                Value::Object(entries) => {
-                    entries.iter().any(|(key, value)| self.claims(&format!("{unnumbered}.{key}"), value))
-                }
-                Value::Array(items) => items.iter().any(|item| self.claims(unnumbered, item)),
-                _ => true,
-            }
-    }
-
     /// Whether a value at a path claims nothing.
-    fn says_nothing(&self, unnumbered: &str, value: &Value) -> bool {
-        let key = unnumbered.rsplit('.').next().unwrap_or(unnumbered); // exact: the whole path
+    fn says_nothing(&self, unnumbered: &str, value: &Value, mark: &Mark) -> bool {
         match value {
-            Value::Null => !NULL_CLAIMS.contains(&unnumbered),
+            Value::Null => !mark.null_claims,
             Value::Array(items) => items.is_empty() && self.items != Some(unnumbered),
             Value::Object(entries) => entries.is_empty(),
-            Value::Bool(is_so) => !is_so && FLAGS.contains(&key),
-            Value::String(word) => key == "stability" && word == "undecided",
-            Value::Number(_) => false,
+            Value::Bool(_) | Value::Number(_) | Value::String(_) => false,
         }
+    }
+}
+
+/// Whether there is a value in it that is not null.
+fn says_something(value: &Value) -> bool {
+    match value {
+        Value::Null => false,
+        Value::Array(items) => items.iter().any(says_something),
+        Value::Object(entries) => entries.values().any(says_something),
+        Value::Bool(_) | Value::Number(_) | Value::String(_) => true,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::marks::{checked, claimed, each, items, setting};
     use serde_json::json;
 
     #[test]
     fn each_value_is_checked_by_its_path_or_its_list_or_is_unchecked() {
         let document = json!({
-            "program": "x", "certified": true, "exhaustive": false, "undecided": [],
-            "scene": {"excitation": {"amplitude": ["1", "2"]}, "start": {"time": "0", "velocity": "1"}},
+            "program": "x", "certified": false, "exhaustive": true, "undecided": [],
+            "scene": {"amplitude": ["1", "2"], "start": {"time": "0", "velocity": "1"}},
             "events": [{"time": ["0", "1"], "mapping": null, "note": null}, {"time": ["1", "2"], "mapping": "P1"}],
-            "outcome": {"time": ["3", "4"], "orbit": {"trace": null, "stability": "undecided", "impacts": [{"wall": "left"}]}},
+            "time": ["3", "4"],
         });
-        let names = ["program", "scene.start", "scene.excitation.amplitude[1]", "outcome.time[1]"].map(str::to_owned);
-        let mut leaves = Leaves::new(&names, Some("events"));
-        leaves.add("", "", &document);
+        let event =
+            Mark::of_fields(vec![("time", checked("")), ("mapping", checked("").or_null()), ("note", checked(""))]);
+        let of_two = |used: [bool; 2]| items(&used, |&is_used| checked("").used_here(is_used, "why"));
+        let scene = Mark::of_fields(vec![("amplitude", of_two([true, false])), ("start", setting("why"))]);
+        let mark = Mark::of_fields(vec![
+            ("program", setting("why")),
+            ("certified", checked("").flag(false)),
+            ("exhaustive", claimed("why").flag(true)),
+            ("undecided", setting("why")),
+            ("scene", scene),
+            ("events", each(&[()], |()| event.clone())),
+            ("time", of_two([true, false])),
+        ]);
+        let mut leaves = Leaves::new(Some("events"));
+        leaves.add("", "", &document, &mark);
         let (mut judged, mut others) = (leaves.judged, leaves.others);
         judged.sort();
         others.sort();
         let expected = [
-            "certified",
             "events[0].mapping",
             "events[0].time",
             "events[1].mapping",
             "events[1].time",
-            "outcome.orbit.impacts[0].wall",
-            "outcome.time[0]",
-            "scene.excitation.amplitude[0]",
+            "scene.amplitude[0]",
+            "time[0]",
         ];
         assert_eq!(judged, expected);
         let expected = [
+            "certified",
             "events[0].note",
             "exhaustive",
-            "outcome.orbit.stability",
-            "outcome.orbit.trace",
-            "outcome.time[1]",
             "program",
-            "scene.excitation.amplitude[1]",
+            "scene.amplitude[1]",
             "scene.start",
+            "time[1]",
             "undecided",
         ];
         assert_eq!(others, expected);
+        assert_eq!(leaves.unchecked, ["exhaustive"]);
+        let names: Vec<String> = leaves.names.into_iter().collect();
+        assert_eq!(names, ["exhaustive", "program", "scene.amplitude[1]", "scene.start", "time[1]"]);
     }
 }

@@ -3,17 +3,18 @@
 //! A document is one object, or JSON Lines: the head, an event per line, and at last the outcome.
 
 use impact_pair_document::{
-    Bounds, ClaimName, EventDocument, EventName, NotNegative, ORBIT_SCHEMA, OrbitEnd, OrbitHead, OutcomeDocument,
-    Place, Written, values,
+    Bounds, ClaimName, EventDocument, EventName, NotNegative, ORBIT_SCHEMA, OrbitDocument, OrbitEnd, OrbitHead,
+    OutcomeDocument, Place, Written, values,
 };
 use impact_pair_exact::Exact;
 use impact_pair_model::vocabulary::OutcomeKind;
 use num_rational::BigRational;
 use num_traits::Zero;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::cmp::Ordering;
 
 use super::attraction::Attraction;
+use super::marks::{self, Mark};
 use impact_pair_model::{Error, EventKind, ImpactPair, Miss, Period, Start, Wall};
 
 /// The claims of an orbit JSON.
@@ -25,7 +26,7 @@ pub struct Certificate {
     events: Vec<Claim>,
     ended: OutcomeDocument,
     attraction: Option<Attraction>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// An event that an orbit JSON claims.
@@ -57,44 +58,42 @@ impl Certificate {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let mut lines = values(text)?;
-        let mut head = lines.remove(0);
-        Place::of_schema(&head, ORBIT_SCHEMA)?;
-        let last = match lines.pop() {
-            Some(last) => last,
-            None => {
-                // One object has the events and the outcome in it.
-                let whole = Place::whole(&head);
-                let outcome = whole.get("outcome")?.read::<Value>()?;
-                whole.get("events")?.list()?;
-                let last = json!({ "outcome": outcome });
-                if let Value::Object(entries) = &mut head {
-                    entries.remove("outcome");
-                    if let Some(Value::Array(events)) = entries.remove("events") {
-                        lines = events;
-                    }
-                }
-                last
-            }
-        };
-        let place = Place::whole(&head);
-        let OrbitHead { certified, scene, claim: of_start, .. } = place.read()?;
-        if !certified {
+        Self::read(&values(text)?)
+    }
+
+    /// Reads an orbit JSON, or the values of JSON Lines.
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = Place::of_schema(&values[0], ORBIT_SCHEMA)?;
+        let [head, events @ .., end] = values else { return Self::whole(&whole, whole.read()?) };
+        let head = Place::whole(head).read()?;
+        let places = events.iter().enumerate().map(|(i, value)| Place::at(format!("events[{i}]"), value));
+        let places: Vec<Place<'_>> = places.collect();
+        let events = places.iter().map(Place::read).collect::<Result<_, _>>()?;
+        let end = Place::whole(end);
+        let OrbitEnd { outcome, arithmetic: _ } = end.read()?;
+        Self::of((head, &whole), (events, &places), (outcome, &end.get("outcome")?))
+    }
+
+    /// The claims of an orbit JSON; `place` is its place in the file.
+    pub(super) fn whole(place: &Place<'_>, document: OrbitDocument) -> Result<Self, Error> {
+        let (head, events, outcome) = document.lines();
+        let places = place.get("events")?.list()?;
+        Self::of((head, place), (events, &places), (outcome, &place.get("outcome")?))
+    }
+
+    fn of(
+        (head, place): (OrbitHead, &Place<'_>),
+        (events, places): (Vec<EventDocument>, &[Place<'_>]),
+        (ended, outcome): (OutcomeDocument, &Place<'_>),
+    ) -> Result<Self, Error> {
+        if !head.certified {
             return Err(place.get("certified")?.refused("only a certified orbit claims anything: accepted is true"));
         }
-        let (pair, start) = scene.model()?;
-        let event = |(i, value): (usize, &Value)| claim(&Place::at(format!("events[{i}]"), value));
-        let claims = lines.iter().enumerate().map(event).collect::<Result<_, _>>()?;
-        let end = Place::whole(&last);
-        let OrbitEnd { outcome: ended, .. } = end.read()?;
-        let outcome = end.get("outcome")?;
-        let mut unjudged = ["arithmetic", "program"].map(str::to_owned).to_vec();
-        ended.until.as_ref().map_or(Ok(()), |until| is_single(&outcome, "until", until))?;
-        if ended.kind == OutcomeKind::Undecided {
-            // The reason for an undecided end claims nothing; that all events up to a time are listed is a claim.
-            unjudged.extend(["outcome.reason", "outcome.time[1]", "outcome.wall"].map(str::to_owned));
-        }
-        unjudged.sort();
+        let marks = marks::orbit(&head, &events, &ended);
+        let (pair, start) = head.scene.model()?;
+        let events = events.into_iter().zip(places).map(|(event, place)| claim(event, place));
+        let events = events.collect::<Result<_, _>>()?;
+        ended.until.as_ref().map_or(Ok(()), |until| is_single(outcome, "until", until))?;
         // The fields that each kind of outcome requires; documents of older versions lack some.
         let required: &[&str] = match ended.kind {
             OutcomeKind::TimeReached => &["impacts", "until"],
@@ -104,16 +103,16 @@ impl Certificate {
             OutcomeKind::Attracted => &["impacts", "word", "cycles", "from", "orbit"],
             OutcomeKind::ImpactsReached | OutcomeKind::NeverImpacts => &["impacts"],
         };
-        let near: &[&str] = if of_start == ClaimName::Shadowed { &["start"] } else { &[] };
+        let near: &[&str] = if head.claim == ClaimName::Shadowed { &["start"] } else { &[] };
         required.iter().chain(near).try_for_each(|key| outcome.get(key).map(|_| ()))?;
-        let attraction = Attraction::of(&ended, &outcome)?;
-        Ok(Self { pair, start, claim: of_start, events: claims, attraction, ended, unjudged })
+        let attraction = Attraction::of(&ended, outcome)?;
+        Ok(Self { pair, start, claim: head.claim, events, attraction, ended, marks })
     }
 
     /// A certificate with a start and no claims.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
         let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
-        Self { pair, start, claim, events, ended, attraction: None, unjudged: Vec::new() }
+        Self { pair, start, claim, events, ended, attraction: None, marks: marks::checked("") }
     }
 
     /// The impact pair.
@@ -146,9 +145,9 @@ impl Certificate {
         &self.ended
     }
 
-    /// Keys of the document, such as `program`, whose values [`check`](Self::check) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 
     /// Whether nothing is claimed: there is no event, and no time before which there is none.
@@ -183,8 +182,8 @@ pub(super) fn is_single(place: &Place<'_>, key: &str, value: &Written) -> Result
     if value.0.is_point() { Ok(()) } else { refused(place.get(key)?) }
 }
 
-fn claim(place: &Place<'_>) -> Result<Claim, Error> {
-    let EventDocument { event, index, mapping, wall, time, velocity, skipped, distance, speed } = place.read()?;
+fn claim(document: EventDocument, place: &Place<'_>) -> Result<Claim, Error> {
+    let EventDocument { event, index, mapping, wall, time, velocity, skipped, distance, speed } = document;
     let is_there = [
         ("index", index.is_some()),
         ("mapping", mapping.is_some()),

@@ -4,12 +4,13 @@ use std::collections::HashSet;
 
 use super::attraction::Bounds;
 use super::grid::{Axes, Placed, varied};
+use super::marks::{self, LINES, Listed, Mark};
 use impact_pair_document::{
-    ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SweepHead, SweepImpact, SweepRecord, values,
+    ClaimName, Decimal, ExtendedBounds, Place, SWEEP_SCHEMA, SweepHead, SweepImpact, SweepRecord,
 };
-use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::PointOutcome;
 use impact_pair_model::{Error, Harmonic, ImpactPair, Start};
+use serde_json::Value;
 
 /// The claims of a sweep about the impacts of its points.
 #[derive(Clone, Debug)]
@@ -17,7 +18,7 @@ pub struct SweepCertificate {
     points: Vec<ClaimedOrbit>,
     /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A point of the sweep.
@@ -41,33 +42,12 @@ pub(super) struct ClaimedOrbit {
     pub contradiction: Option<&'static str>,
 }
 
-/// Keys that no lemma of `check` covers.
-const UNJUDGED: [&str; 16] = [
-    "arithmetic",
-    "claim",
-    "digits",
-    "impacts",
-    "points.bits",
-    "points.complete",
-    "points.exponent",
-    "points.exponent_limit",
-    "points.impacts_per_cycle",
-    "points.message",
-    "points.outcome",
-    "points.period",
-    "points.reason",
-    "points.wide_from",
-    "program",
-    "title",
-];
-
 impl SweepCertificate {
     /// Reads a sweep: the head, then one point per line.
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let values = values(text)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
         let (place, records) = (Place::of_schema(&values[0], SWEEP_SCHEMA)?, &values[1..]);
         let head: SweepHead = place.read()?;
         if !head.certified {
@@ -81,10 +61,11 @@ impl SweepCertificate {
             let accepted = format!("accepted is the fastest term where all axes are at their upper ends: {accepted}");
             return Err(place.get("reference").map_or_else(|missing| missing, |given| given.refused(&accepted)));
         }
-        let mut seen = HashSet::new();
+        let (mut seen, mut lines) = (HashSet::new(), None);
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
             let record: SweepRecord = place.read()?;
+            lines.get_or_insert_with(|| marks::point(&record));
             let mut claimed = ClaimedOrbit::of(&head, (&axes, reference), &record, &place)?;
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");
@@ -92,23 +73,15 @@ impl SweepCertificate {
             Ok(claimed)
         };
         let points: Vec<ClaimedOrbit> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
-        let mut unjudged = UNJUDGED.map(str::to_owned).to_vec();
-        unjudged.extend(axes.own_values());
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
-        unjudged.extend(axes.unpinned(&places));
-        if points.iter().all(|point| point.states.is_empty()) {
-            // There are no bounds to compare.
-            unjudged.extend(["certified", "transient"].map(str::to_owned));
-            unjudged.extend((!axes.keys.contains(&Key::StartPhase)).then(|| "reference".to_owned()));
-        }
-        // A point without impacts after the transient claims no more than a summary does; a single point fits several shards.
-        let is_short = points.iter().all(|point| point.impacts <= head.transient);
-        unjudged.extend(is_short.then(|| "summary".to_owned()));
-        unjudged.extend((points.len() < 2).then(|| "shard".to_owned()));
-        unjudged.sort();
-        unjudged.dedup();
+        let listed = Listed {
+            has_states: points.iter().any(|point| !point.states.is_empty()),
+            is_long: points.iter().any(|point| point.impacts > head.transient),
+        };
+        let marks =
+            marks::sweep(&head, &axes.pinned(&places), &listed).with(LINES, lines.unwrap_or(marks::checked("")));
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
-        Ok(Self { points, missing, unjudged })
+        Ok(Self { points, missing, marks })
     }
 
     /// Number of points of the grid, or of the shard, that are missing.
@@ -130,9 +103,9 @@ impl SweepCertificate {
         self.points.iter().filter(|point| point.impacts > 0).count()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }
 

@@ -1,13 +1,14 @@
 //! The JSON of tangencies, read back: the claims about each tangency, as exact fractions.
 
 use super::attraction::Bounds;
-use super::bifurcation::{own_value, parameter};
-use impact_pair_document::{
-    HomoclinicTangencyDocument, Place, StateBoundsDocument, TANGENCY_SCHEMA, TangencyDocument, value,
-};
+use super::bifurcation::parameter;
+use super::claims::whole;
+use super::marks::{self, Mark};
+use impact_pair_document::{HomoclinicTangencyDocument, Place, StateBoundsDocument, TANGENCY_SCHEMA, TangencyDocument};
 use impact_pair_model::scene::Key;
 use impact_pair_model::{Error, ImpactPair};
 use num_rational::BigRational;
+use serde_json::Value;
 
 /// The claims of a JSON of tangencies.
 #[derive(Clone, Debug)]
@@ -15,7 +16,7 @@ pub struct TangencyCertificate {
     pair: ImpactPair,
     tangencies: Vec<ClaimedTangency>,
     contradiction: Option<String>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A claimed tangency.
@@ -66,26 +67,16 @@ impl TangencyCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, TANGENCY_SCHEMA)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, TANGENCY_SCHEMA)?;
         let document: TangencyDocument = whole.read()?;
         let places = whole.get("tangencies")?.list()?;
         let read = document.tangencies.iter().zip(&places).map(|(claim, place)| ClaimedTangency::of(claim, place));
         let tangencies: Vec<ClaimedTangency> = read.collect::<Result<_, _>>()?;
-        let mut unjudged: Vec<String> = Vec::new();
-        unjudged.extend(["program", "scene.start"].map(str::to_owned));
-        unjudged.extend(tangencies.iter().map(|tangency| own_value(tangency.key)));
-        // The reduced map has neither the unit of time nor the origin of phases.
-        unjudged.extend(["scene.excitation.frequency", "scene.excitation.phase"].map(str::to_owned));
-        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
-        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
-        unjudged.extend(document.limited.then(|| "limited".to_owned()));
-        unjudged.sort();
-        unjudged.dedup();
+        let marks = marks::tangency(&document, tangencies.iter().map(|own| own.key).collect());
         let contradiction = contradiction(&document);
         let (pair, _) = document.scene.model()?;
-        Ok(Self { pair, tangencies, contradiction, unjudged })
+        Ok(Self { pair, tangencies, contradiction, marks })
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -116,9 +107,9 @@ impl TangencyCertificate {
         self.tangencies.len()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }
 

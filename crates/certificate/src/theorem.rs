@@ -7,49 +7,50 @@ use impact_pair_document::{ClaimName, TrapDocument, counted};
 use impact_pair_model::EventKind;
 use impact_pair_model::vocabulary::OutcomeKind;
 
+use crate::claims::Of;
 use crate::{Certificate, Claims, GlobalCertificate};
 
 impl Claims {
     /// The theorem that a confirmation proves, a line for each document; empty for a document that is not checked.
     pub fn theorem(&self) -> String {
-        let fixed = match self {
-            Self::Orbit(certificate) => return certificate.theorem(),
-            Self::Global(certificate) => certificate.theorem(),
-            Self::Periodic(_) => {
+        let fixed = match &self.of {
+            Of::Orbit(certificate) => return certificate.theorem(),
+            Of::Global(certificate) => certificate.theorem(),
+            Of::Periodic(_) => {
                 "for all parameters of the scene each listed orbit exists within its bounds, in the listed forcing periods, once in the list; \
                  where `unique` is true no other orbit of its word and cycles has its first impact there; where `physical` is true its impacts \
                  are the first contacts one after the other, where false a wall is touched earlier, and it solves the equations of its word \
                  alone; it runs `times` through a shorter orbit, once if there is no such key; symmetry, trace, determinant, eigenvalues, \
                  stability, spacing and sine are as listed"
             }
-            Self::Cycles(_) => {
+            Of::Cycles(_) => {
                 "for all parameters of the scene each listed cycle of the map mirrored to one wall exists within its bounds, with first \
                  contacts alone where `physical` is true, once in the list, with this least period, symmetry, eigenvalues and stability"
             }
-            Self::Bifurcations(_) => {
+            Of::Bifurcations(_) => {
                 "within the bounds of each listed fold, pitchfork and period doubling an orbit of its word, within the listed bounds, admissible \
                  as `physical` says, has the eigenvalue 1 or -1, and the branch turns back, or another one leaves it"
             }
-            Self::Windows(_) => {
+            Of::Windows(_) => {
                 "at each value `at` the listed orbit exists, with the listed flights and numbers, stable, with first contacts alone where \
                  `physical` is true; within the bounds of each end an orbit of its word near it has the eigenvalue 1 or -1; where \
                  `stable_between` is true one curve of stable orbits leads from end to end through it"
             }
-            Self::Tangencies(_) => {
+            Of::Tangencies(_) => {
                 "for exactly one value of the parameter within each pair of bounds the stable and the unstable manifold of the saddle have a \
                  common point along these flights at which they are tangent; the tangency is quadratic and unfolds, with the listed numbers; \
                  `beside` it there are two common points or none in the listed boxes; with `states` all this holds for each value of the datum \
                  that is an interval"
             }
-            Self::Sweep(_) => {
+            Of::Sweep(_) => {
                 "at each listed point the motion from the scene's start has the listed impacts, each the first contact after the one before, \
                  with these numbers, within these bounds"
             }
-            Self::Cells(_) => {
+            Of::Cells(_) => {
                 "for all values of the parameter in each listed subinterval its verdict holds: a horseshoe of the listed h-sets with at least \
                  this entropy, a stable periodic orbit, or that the scene's motion converges to it"
             }
-            Self::Atlas(certificate) => {
+            Of::Atlas(certificate) => {
                 let everywhere =
                     if certificate.has_cells() { "for all parameters of each cell" } else { "at each listed point" };
                 return format!(
@@ -57,7 +58,7 @@ impl Claims {
                      components; where one of these is undecided, each listed periodic motion, horseshoe and stable orbit exists, with its kind"
                 );
             }
-            Self::Chaos(certificate) => {
+            Of::Chaos(certificate) => {
                 let entropy = &certificate.document().entropy;
                 let hyperbolic = certificate.document().hyperbolic.iter().flatten().next().map_or("", |_| {
                     "; the words of `hyperbolic` make a uniformly hyperbolic set with the listed slope, entropies, exponents and dimension"
@@ -72,7 +73,7 @@ impl Claims {
                     entropy.per_cycle.text()
                 );
             }
-            Self::Trap(certificate) => {
+            Of::Trap(certificate) => {
                 let TrapDocument { entered_at_impact, no_rest, words, .. } = certificate.document();
                 let rests = if *no_rest { "; no rest and no complete chatter comes after one" } else { "" };
                 let enters = entered_at_impact.map_or(String::new(), |n| {
@@ -90,16 +91,16 @@ impl Claims {
                     certificate.count()
                 );
             }
-            Self::Description(_) | Self::List(_) => {
+            Of::Description(_) | Of::List(_) => {
                 let documents = self.documents().unwrap_or_default();
                 let theorems = documents.iter().map(|(at, document)| format!("{at}: {}", document.theorem()));
-                let fate = match self {
-                    Self::Description(certificate) if certificate.is_fate_judged() => "; so `fate` is as listed",
+                let fate = match &self.of {
+                    Of::Description(certificate) if certificate.is_fate_judged() => "; so `fate` is as listed",
                     _ => "",
                 };
                 return theorems.collect::<Vec<_>>().join("\n  ") + fate;
             }
-            Self::Unchecked(_) => "",
+            Of::Unchecked(_) => "",
         };
         fixed.to_owned()
     }

@@ -1,7 +1,10 @@
 //! The JSON of a trapping region, read back.
 
-use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument, value};
+use super::claims::whole;
+use super::marks::{self, Mark};
+use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument};
 use impact_pair_model::{Error, ImpactPair, Start};
+use serde_json::Value;
 
 /// The claims of a trap JSON.
 #[derive(Clone, Debug)]
@@ -9,7 +12,7 @@ pub struct TrapCertificate {
     pair: ImpactPair,
     start: Start,
     document: TrapDocument,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 impl TrapCertificate {
@@ -17,21 +20,19 @@ impl TrapCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, TRAP_SCHEMA)?;
-        let document: TrapDocument = whole.read()?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, TRAP_SCHEMA)?;
+        Self::of(whole.read()?, &whole)
+    }
+
+    /// The claims of a region; `place` is its place in the file.
+    pub(super) fn of(document: TrapDocument, place: &Place<'_>) -> Result<Self, Error> {
         if !document.certified {
-            return Err(whole.get("certified")?.refused("only a certified region claims anything: accepted is true"));
+            return Err(place.get("certified")?.refused("only a certified region claims anything: accepted is true"));
         }
-        let mut unjudged = vec!["program".to_owned()];
-        if document.entered_at_impact.is_none() {
-            // The region holds for every start.
-            unjudged.extend(["scene.excitation.phase", "scene.start"].map(str::to_owned));
-        }
-        unjudged.sort();
+        let marks = marks::trap(&document);
         let (pair, start) = document.scene.clone().model()?;
-        Ok(Self { pair, start, document, unjudged })
+        Ok(Self { pair, start, document, marks })
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -53,8 +54,8 @@ impl TrapCertificate {
         self.document.region.iter().map(boxes).sum()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }

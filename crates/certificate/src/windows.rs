@@ -1,15 +1,18 @@
 //! The JSON of windows, read back: the claims about each stable orbit and about the ends of its window.
 
 use super::attraction::ClaimedOrbit;
-use super::bifurcation::{ClaimedPoint, own_value, parameter};
+use super::bifurcation::{ClaimedPoint, parameter};
+use super::claims::whole;
+use super::marks::{self, Mark};
 use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
 use crate::read::is_single;
-use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument, value};
+use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument};
 use impact_pair_exact::{Exact, compare_rational};
 use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::{Bifurcation as Kind, Stability};
 use impact_pair_model::{Error, ImpactPair, Start, Wall};
+use serde_json::Value;
 
 /// The claims of a JSON of windows.
 #[derive(Clone, Debug)]
@@ -19,7 +22,7 @@ pub struct WindowsCertificate {
     over: Key,
     windows: Vec<ClaimedWindow>,
     contradiction: Option<String>,
-    unjudged: Vec<String>,
+    marks: Mark,
 }
 
 /// A claimed window.
@@ -42,9 +45,8 @@ impl WindowsCertificate {
     ///
     /// # Errors
     /// Name the key, its value and what is accepted.
-    pub fn parse(text: &str) -> Result<Self, Error> {
-        let value = value(text)?;
-        let whole = Place::of_schema(&value, WINDOWS_SCHEMA)?;
+    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+        let whole = whole(values, WINDOWS_SCHEMA)?;
         let document: WindowsDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
         let (pair, _) = document.scene.clone().model()?;
@@ -52,26 +54,13 @@ impl WindowsCertificate {
             is_single(&whole.get("over")?, key, end)?;
         }
         let places = whole.get("windows")?.list()?;
-        let mut unjudged: Vec<String> = Vec::new();
         let read = |(window, place): (&WindowDocument, &Place<'_>)| ClaimedWindow::of(window, place, (&pair, over));
         let windows: Vec<ClaimedWindow> = document.windows.iter().zip(&places).map(read).collect::<Result<_, _>>()?;
-        let always = ["program", "scene.start", "searched_impacts", "exhaustive"];
-        unjudged.extend(always.map(str::to_owned).into_iter().chain([own_value(over)]));
-        unjudged.extend((!document.undecided.is_empty()).then(|| "undecided".to_owned()));
-        unjudged.extend(document.interrupted.then(|| "interrupted".to_owned()));
-        let open = document.windows.iter().enumerate().filter(|(_, window)| window.orbit.symmetric.is_none());
-        let of_open = |i: usize| [format!("windows[{i}].reduced_impacts"), format!("windows[{i}].flights")];
-        unjudged.extend(open.flat_map(|(i, _)| of_open(i)));
-        // That a bifurcation near the orbit is an end of its window follows only from the orbits between the ends. Lemma V30
-        let apart = document.windows.iter().enumerate().filter(|(_, window)| !window.stable_between);
-        unjudged.extend(apart.flat_map(|(i, _)| ["ends", "from", "to"].map(|key| format!("windows[{i}].{key}"))));
-        unjudged.extend(document.windows.iter().any(|own| own.reason.is_some()).then(|| "windows.reason".to_owned()));
-        unjudged.sort();
-        unjudged.dedup();
+        let marks = marks::windows(&document, over);
         let contradiction = contradiction(&document, over);
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
-        Ok(Self { pair, start, over, windows, contradiction, unjudged })
+        Ok(Self { pair, start, over, windows, contradiction, marks })
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -99,9 +88,9 @@ impl WindowsCertificate {
         self.windows.len()
     }
 
-    /// Keys of the document whose values [`check_within`](Self::check_within) does not check.
-    pub fn unjudged(&self) -> &[String] {
-        &self.unjudged
+    /// What is said of each value of the document.
+    pub(super) fn marks(&self) -> &Mark {
+        &self.marks
     }
 }
 

@@ -41,7 +41,7 @@ fn judged(lines: &[Value], work: Option<u64>) -> (&'static str, String, Vec<Stri
     let effort = Effort { work: work.unwrap_or_else(|| effort().work), ..Effort::default() };
     let checked = Claims::parse(&text).and_then(|claims| {
         let judged = claims.judge(&effort, &Unwatched)?;
-        let found = claims.document(&text, &judged);
+        let found = claims.document(&judged);
         let names = [claims.unjudged(), found.unchecked_claims.clone()].concat();
         Ok((found, names))
     });
@@ -195,7 +195,7 @@ fn assert_confirmed(is_deep: bool) {
         let text = text(&lines);
         let claims = Claims::parse(&text).unwrap();
         let judged = claims.judge(&Effort::default(), &Unwatched).unwrap();
-        let found = claims.document(&text, &judged);
+        let found = claims.document(&judged);
         let has_theorem = found.theorem.is_some_and(|theorem| !theorem.is_empty());
         if found.verdict != VerdictName::Confirmed || !has_theorem {
             wrong.push(format!("{name}: {}", found.message));

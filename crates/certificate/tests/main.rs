@@ -5,6 +5,7 @@ mod claimed;
 mod effort;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
+mod keys;
 mod recorded;
 mod schemas;
 mod unchecked;

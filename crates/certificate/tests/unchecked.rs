@@ -15,7 +15,7 @@ fn checked(name: &str, change: impl Fn(&mut Value)) -> CheckDocument {
     let claims = Claims::parse(&text).unwrap();
     let judged = claims.judge(&Effort::default(), &Unwatched).unwrap();
     assert!(matches!(judged.verdict, Verdict::Confirmed { .. }), "{name}: {:?}", judged.verdict);
-    claims.document(&text, &judged)
+    claims.document(&judged)
 }
 
 fn drop_one(orbits: &mut Value) {

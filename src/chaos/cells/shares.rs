@@ -47,8 +47,8 @@ fn fraction<'p>(parts: impl Iterator<Item = [&'p Exact; 2]>, all: [&Exact; 2], r
     let whole = BigRational::from_integer(PARTS.into());
     // D14: a fraction lies between 0 and 1
     let parts = match (sum, rounded) {
-        (Some(sum), Rounded::Down) => (sum * &whole).floor().max(BigRational::zero()),
-        (Some(sum), Rounded::Up) => (sum * &whole).ceil().min(whole),
+        (Some(sum), Rounded::Down) => (sum * &whole).floor().max(BigRational::zero()), // D14: at least 0
+        (Some(sum), Rounded::Up) => (sum * &whole).ceil().min(whole),                  // D14: at most 1
         (None, Rounded::Down) => BigRational::zero(),
         (None, Rounded::Up) => whole,
     };
