@@ -6,7 +6,7 @@ use impact_pair::ErrorKind;
 use impact_pair::exact::{Exact, ExactError, ParseError};
 use impact_pair::orbit::{Impact, Orbit, Place, Settings};
 use impact_pair::pair::Wall;
-use impact_pair::scene::Scene;
+use impact_pair::scene::{Key, Over, Range, Scene};
 use impact_pair_certificate::Certificate;
 
 const FIGURE_14: &str = r#"title = "Figure 14"
@@ -38,12 +38,17 @@ const REFUSED: &str = r#"
 restitution = 0.5 | restitution = 1.2 | line 8: pair.restitution is 1.2, but must lie in [0, 1]
 restitution = 0.5 | restitution = -1e-300 | line 8: pair.restitution is -1e-300, but must lie in [0, 1]
 restitution = 0.5 | restitution = "[0.5, 1.0001]" | line 8: pair.restitution is [0.5, 1.0001], but must lie in [0, 1]
-restitution = 0.5 | restitution = 0.5\\restitition = 0.6 | line 9: pair.restitition is 0.6, but is not a key of [pair]: accepted are gap, restitution; did you mean `restitution`?
+restitution = 0.5 | restitution = 0.5\\restitition = 0.6 | line 9: pair.restitition is 0.6, but is not a key of [pair]: accepted are gap (d), restitution (e); did you mean `restitution`?
 restitution = 0.5 | | line 6: pair.restitution is missing, but must be NUMBER
 gap = 9.42497 | gap = 0 | line 7: pair.gap is 0, but must be greater than 0
 gap = 9.42497 | gap = -9.42497 | line 7: pair.gap is -9.42497, but must be greater than 0
 gap = 9.42497 | gap = "-3*pi" | line 7: pair.gap is -3*pi, but must be greater than 0
-gap = 9.42497 | gap = 9.42497\\bounce = 0.5 | line 8: pair.bounce is 0.5, but is not a key of [pair]: accepted are gap, restitution
+gap = 9.42497 | gap = 9.42497\\bounce = 0.5 | line 8: pair.bounce is 0.5, but is not a key of [pair]: accepted are gap (d), restitution (e)
+gap = 9.42497 | d = -1 | line 7: pair.gap is -1, but must be greater than 0
+gap = 9.42497 | gap = 9\\d = 9 | line 8: pair.gap is 9, but pair.d and pair.gap, on line 7, are one key: give one of them
+amplitude = 8 | A = 8\\amplitude = 8 | line 4: excitation.amplitude is 8, but excitation.amplitude and excitation.A, on line 3, are one key: give one of them
+frequency = "pi" | W = "pi"\\angular-frequency = 3 | line 5: excitation.frequency is 3, but excitation.angular-frequency and excitation.W, on line 4, are one key: give one of them
+gap = 9.42497 | gap = 9.42497\\A = 1 | line 8: pair.A is 1, but is not a key of [pair]: accepted are gap (d), restitution (e); did you mean `excitation.amplitude`?
 gap = 9.42497 | gap = 9\\gap = 10 | line 8: duplicate key in `gap = 10`
 gap = 9.42497 | gap = true | line 7: pair.gap is true, but must be NUMBER
 gap = 9.42497 | gap = 1979-05-27 | line 7: pair.gap is 1979-05-27, but must be NUMBER
@@ -114,10 +119,52 @@ fn what_a_scene_may_not_say_is_refused_with_its_line() {
         assert!(refused.starts_with("line 7: ") && refused.contains(line), "{refused}");
     }
     let no_pair = FIGURE_14.replace("[pair]\ngap = 9.42497\nrestitution = 0.5\n", "");
-    assert_eq!(refusal(&no_pair), "line 12: pair is missing, but must be a table with gap, restitution");
+    assert_eq!(refusal(&no_pair), "line 12: pair is missing, but must be a table with gap (d), restitution (e)");
     let elsewhere = with("title = \"Figure 14\"", "pair = 3").replace("[pair]", "[run.pair]");
-    assert_eq!(refusal(&elsewhere), "line 1: pair is 3, but must be one table with gap, restitution");
-    assert_eq!(refusal(""), "excitation is missing, but must be a table with amplitude, frequency, phase");
+    assert_eq!(refusal(&elsewhere), "line 1: pair is 3, but must be one table with gap (d), restitution (e)");
+    assert_eq!(
+        refusal(""),
+        "excitation is missing, but must be a table with amplitude (A), frequency (W, angular-frequency), phase (tau)"
+    );
+}
+
+/// The letters in which results are printed stand for the names of parameters: also of several terms, and where they vary.
+#[test]
+fn letters_stand_for_the_names_of_parameters() {
+    let in_letters = FIGURE_14
+        .replace("amplitude =", "A =")
+        .replace("frequency =", "W =")
+        .replace("phase =", "tau =")
+        .replace("gap =", "d =")
+        .replace("restitution =", "e =");
+    let [own, other] = [FIGURE_14, &in_letters].map(|text| Scene::parse(text).unwrap());
+    assert_eq!(own.pair().in_words(), other.pair().in_words());
+    let several = with("amplitude = 8", "A = [1, 2]").replace("frequency = \"pi\"", "angular-frequency = [3, 4]");
+    let several = Scene::parse(&several).unwrap();
+    assert!(several.pair().in_words().starts_with("A = (1, 2), W = (3, 4)"));
+    let varied =
+        several.with(&[("A.2".parse().unwrap(), Exact::from(5)), ("e".parse().unwrap(), Exact::from(1))]).unwrap();
+    assert!(varied.pair().in_words().starts_with("A = (1, 5), ") && varied.pair().in_words().ends_with("e = 1"));
+}
+
+/// `A/d` is the amplitude at the scene's own gap, exactly; a gap that is an interval, or that varies as well, is refused.
+#[test]
+fn a_ratio_varies_the_amplitude_while_the_gap_stays() {
+    let over = |text: &str| Over::parse(text, "KEY=LO..HI", |_| true);
+    let range = |text: &str, scene: &str| -> Result<Vec<Range>, impact_pair::Error> {
+        Over::all(&[over(text)?], Scene::parse(scene)?.pair())
+    };
+    let ranges = range("A/d=1/3..0.5:4", FIGURE_14).unwrap();
+    assert_eq!((ranges[0].key(), ranges[0].count()), (Key::Amplitude(None), Some(4)));
+    let third = Exact::parse("9.42497/3").unwrap();
+    assert_eq!(ranges[0].low().as_rational(), third.as_rational());
+    assert_eq!(ranges[0].high().text(), "4.712485");
+    let interval = range("A/d=1..2", &with("gap = 9.42497", "gap = \"[9, 10]\"")).unwrap_err().to_string();
+    assert_eq!(interval, "pair.gap is [9, 10], but must be a single number where A/d varies");
+    let both = [over("d=9..10").unwrap(), over("A/d=1..2").unwrap()];
+    let both = Over::all(&both, Scene::parse(FIGURE_14).unwrap().pair()).unwrap_err().to_string();
+    assert!(both.contains("over A/d=1..2 the gap stays, but another range is of the gap"), "{both}");
+    assert!("A/d".parse::<Key>().is_err() && over("A/e=1..2").is_err());
 }
 
 #[test]

@@ -10,7 +10,7 @@ use impact_pair::chaos::{Cells, Chaos, HSet, HorseshoeSettings, Hyperbolic, MOST
 use impact_pair::exact::Exact;
 use impact_pair::json::{GivenBase, one_a_line};
 use impact_pair::periodic::bifurcation::{PARAMETERS, is_parameter};
-use impact_pair::scene::Range;
+use impact_pair::scene::{Over, Range};
 use impact_pair::{Effort, Scene};
 use serde::Deserialize;
 
@@ -66,10 +66,10 @@ pub struct ChaosArguments {
     /// Read the h-sets from FILE: JSON with a list "bases" as written by this verb
     #[arg(long, value_name = "FILE")]
     bases: Option<PathBuf>,
-    /// Prove it for all values of a parameter at once: amplitude, gap, restitution or frequency; with :COUNT in COUNT cells, one
+    /// Prove it for all values of a parameter at once: amplitude, gap, restitution, frequency, or A/d, the amplitude in gaps; with :COUNT in COUNT cells, one
     /// by one: whether each holds a horseshoe, or a stable periodic orbit that the scene's own orbit converges to, or another one
     #[arg(long, value_name = "KEY=LO..HI[:COUNT]", value_parser = range, allow_hyphen_values = true)]
-    over: Option<Range>,
+    over: Option<Over>,
     /// Multiply the work by X: without --depth the million boxes that words may take; with :COUNT an undecided cell is bisected up to 8 times, and
     /// once more where X doubles, up to 24 times
     #[arg(long, value_name = "X", default_value_t)]
@@ -103,11 +103,11 @@ fn bases(path: &Path) -> Result<Vec<HSet>> {
 }
 
 /// Reads `KEY=LO..HI`, all of it at once, or `KEY=LO..HI:COUNT`, cell by cell.
-fn range(text: &str) -> Result<Range, impact_pair::Error> {
+fn range(text: &str) -> Result<Over, impact_pair::Error> {
     let cells = 1..=u64::from(MOST_CELLS);
     let accepted =
         format!("KEY=LO..HI or KEY=LO..HI:COUNT with LO < HI and COUNT from 1 to {MOST_CELLS}, {PARAMETERS}");
-    Range::parse(text, &accepted, |range| {
+    Over::parse(text, &accepted, |range| {
         is_parameter(range) && range.count().is_none_or(|count| cells.contains(&count))
     })
 }
@@ -117,7 +117,9 @@ pub fn chaos(arguments: &ChaosArguments) -> Result<Answer> {
     let OpenOutput { scene, files, .. } = arguments.drawing.begin(&arguments.scene)?;
     let bases = arguments.bases.as_deref().map(bases).transpose()?.unwrap_or_default();
     let work = Work { arguments, format, scene: &scene, files };
-    match arguments.over.as_ref().map(|over| (over, over.count())) {
+    let over = arguments.over.as_ref().map(|over| over.of(scene.pair())).transpose();
+    let over = over.map_err(|error| scene::about(error, &[], &arguments.scene))?;
+    match over.as_ref().map(|over| (over, over.count())) {
         Some((over, Some(cells))) => {
             if !bases.is_empty() {
                 bail!("--bases applies to one range, but --over {}=... is divided into {cells} cells", over.key());

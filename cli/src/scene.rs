@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
 use impact_pair::orbit::Settings;
-use impact_pair::scene::Key;
+use impact_pair::scene::{Key, Over, Range};
 
 /// Reads the scene of a file, or of stdin when it is `-`.
 pub fn read(path: &Path) -> Result<Scene> {
@@ -60,6 +60,11 @@ pub fn keep(scene: &Path, output: Option<&Path>) -> Result<()> {
         bail!("cannot write {}: it is the input", output.display());
     }
     Ok(())
+}
+
+/// Returns the values of the keys that vary in a scene.
+pub fn ranged(over: &[Over], scene: &Scene, path: &Path) -> Result<Vec<Range>> {
+    Over::all(over, scene.pair()).map_err(|error| about(error, &[], path))
 }
 
 /// Refuses to write `output` and `plot` onto one file, or onto what is read.

@@ -7,7 +7,7 @@ use anyhow::{Error, Result, bail};
 use clap::Args;
 use impact_pair::exact::{decimal_bounds, decimal_digits};
 use impact_pair::json::counted;
-use impact_pair::scene::{Key, Range};
+use impact_pair::scene::{Key, Over, Range};
 use impact_pair::tangency::{
     Beside, FlightWord, TANGENCY_PARAMETERS, Tangencies, Tangency, TangencySettings, UnprovedTangency, at_least,
     is_tangency_range,
@@ -57,10 +57,10 @@ none, the search ended at the limit of its work, or the run was interrupted (the
 pub struct TangencyArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The parameter and its range: gap, amplitude or restitution [default: the gap, from 0.9999 to 1.0001 times that of
+    /// The parameter and its range: gap, amplitude, restitution, or A/d, the amplitude in gaps [default: the gap, from 0.9999 to 1.0001 times that of
     /// the scene]
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
-    over: Option<Range>,
+    over: Option<Over>,
     /// The flights from the unstable manifold to the stable one in time order: F to the far wall, N back to the near one
     /// [default: all words are searched]
     #[arg(long, value_name = "FLIGHTS")]
@@ -85,8 +85,8 @@ pub struct TangencyArguments {
 }
 
 /// Reads `KEY=LO..HI` of a parameter over which tangencies are searched.
-fn over(text: &str) -> Result<Range, impact_pair::Error> {
-    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {TANGENCY_PARAMETERS}"), is_tangency_range)
+fn over(text: &str) -> Result<Over, impact_pair::Error> {
+    Over::parse(text, &format!("KEY=LO..HI with LO < HI, {TANGENCY_PARAMETERS}"), is_tangency_range)
 }
 
 /// Returns the range of gaps next to that of a scene.
@@ -103,7 +103,10 @@ pub fn tangency(arguments: &TangencyArguments) -> Result<Answer> {
     let format = arguments.drawing.format(arguments.format)?;
     let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let settings = TangencySettings {
-        over: arguments.over.clone().map_or_else(|| beside(&scene), Ok)?,
+        over: match &arguments.over {
+            Some(over) => over.of(scene.pair()).map_err(|error| scene::about(error, &[], path))?,
+            None => beside(&scene)?,
+        },
         word: arguments.word.clone(),
         longest: usize::try_from(arguments.longest)?,
         most: usize::try_from(arguments.most)?,

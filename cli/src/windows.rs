@@ -11,7 +11,7 @@ use impact_pair::chaos::{
 use impact_pair::exact::decimal_digits;
 use impact_pair::json::counted;
 use impact_pair::periodic::bifurcation::WindowEnd;
-use impact_pair::scene::Range;
+use impact_pair::scene::Over;
 use impact_pair::{Effort, Scene};
 
 use crate::Answer;
@@ -48,9 +48,9 @@ not, or the run was interrupted (the proved part is written); 2 usage, bad input
 pub struct WindowsArguments {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
-    /// The parameter and its range: gap, amplitude or restitution
+    /// The parameter and its range: gap, amplitude, restitution, or A/d, the amplitude in gaps
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over)]
-    over: Range,
+    over: Over,
     /// Number of impacts of floating-point orbits that are searched
     #[arg(long, value_name = "N", default_value_t = 40_000_000, value_parser = count(1..=1_000_000_000_000))]
     impacts: u64,
@@ -73,8 +73,8 @@ pub struct WindowsArguments {
 }
 
 /// Reads `KEY=LO..HI` of a parameter over which windows are searched.
-fn over(text: &str) -> Result<Range, impact_pair::Error> {
-    Range::parse(text, &format!("KEY=LO..HI with LO < HI, {WINDOW_PARAMETERS}"), is_window_range)
+fn over(text: &str) -> Result<Over, impact_pair::Error> {
+    Over::parse(text, &format!("KEY=LO..HI with LO < HI, {WINDOW_PARAMETERS}"), is_window_range)
 }
 
 pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
@@ -82,7 +82,7 @@ pub fn windows(arguments: &WindowsArguments) -> Result<Answer> {
     let OpenOutput { scene, files, path } = arguments.drawing.begin(&arguments.scene)?;
     let named = || scene::name(path);
     let settings = WindowSettings {
-        over: arguments.over.clone(),
+        over: arguments.over.of(scene.pair()).map_err(|error| scene::about(error, &[], path))?,
         impacts: arguments.effort.times(arguments.impacts),
         longest: arguments.longest as usize,
         most: usize::try_from(arguments.most)?,

@@ -31,7 +31,7 @@ fn the_faulty_text_is_marked() {
     }
     let message = refusal("gap", "gap = = 9");
     assert!(message.contains(" in `gap = = 9`\n") && message.lines().count() == 4, "{message}");
-    let missing = "error: stdin: excitation is missing, but must be a table with amplitude, frequency, phase\n";
+    let missing = "error: stdin: excitation is missing, but must be a table with amplitude (A), frequency (W, angular-frequency), phase (tau)\n";
     assert_eq!(refused(""), missing);
     let fast = "error: stdin: line 17: start.velocity is -1e300, but double-precision flights accept at most 2^400 in units of gap widths and forcing periods\n";
     assert!(refusal("velocity", "velocity = -1e300").starts_with(fast));

@@ -126,6 +126,39 @@ fn r35_a_horseshoe_and_an_orbit_that_is_attracted_do_not_exclude_each_other() {
     assert_eq!((&shares["horseshoe"], &shares["attracted"], &shares["both"]), (&1.0.into(), &1.0.into(), &1.0.into()));
 }
 
+/// A ratio of amplitude and gap is the amplitude at the scene's own gap, in every verb that has --over; the document is that of the amplitude.
+#[test]
+fn a_ratio_is_the_amplitude_at_the_scenes_own_gap() {
+    let folder = folder("ratio");
+    let path = folder.join("scene.toml");
+    fs::write(&path, scene("figure-14.toml").replace("gap = 9.42497", "d = 2").replace("amplitude = 8", "A = 8"))
+        .unwrap();
+    let scene = path.to_str().unwrap();
+    for (verb, more, count) in [
+        ("sweep", "--format jsonl --transient 10 --impacts 2", ":3"),
+        ("atlas", "--over e=0.1..0.2:2 --format jsonl --effort 1e-4", ":2"),
+        ("chaos", "--depth 1 --format json", ""),
+        ("chaos", "--depth 1 --format json --effort 1/256", ":1"),
+        ("bifurcations", "--word RL --cycles 1 --doublings 0 --format json", ""),
+        ("windows", "--impacts 100 --format json", ""),
+        ("tangency", "--longest 1 --format json", ""),
+    ] {
+        let answer = |over: &str| {
+            let over = format!("{over}{count}");
+            let words: Vec<&str> = more.split(' ').collect();
+            let output = program(&[&[verb, scene, "--quiet", "--over", &over], &words[..]].concat()).output().unwrap();
+            assert_ne!(output.status.code(), Some(2), "{verb}: {}", String::from_utf8_lossy(&output.stderr));
+            let lines = serde_json::Deserializer::from_slice(&output.stdout).into_iter::<Value>();
+            let mut lines: Vec<Value> = lines.map(Result::unwrap).collect();
+            lines.iter_mut().filter(|line| line["seconds"].is_number()).for_each(|line| line["seconds"] = 0.into());
+            lines
+        };
+        let found = answer("A/d=0.4..1/2");
+        assert_eq!(found, answer("amplitude=0.8..1"), "{verb}");
+        assert!(!found.is_empty() && !found[0].to_string().contains("A/d"), "{verb}");
+    }
+}
+
 /// In a window that the scene's own orbit enters after a chaotic transient: the orbit that `run` proves it to converge to at one end is
 /// that of the whole window.
 #[test]

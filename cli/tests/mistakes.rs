@@ -25,7 +25,7 @@ fn changed(name: &str, [from, to]: [&str; 2]) -> String {
 
 #[test]
 fn r35_symbols_of_the_paper_lead_to_the_keys() {
-    for (symbol, key) in [("A", "amplitude"), ("W", "frequency"), ("d", "gap"), ("e", "restitution")] {
+    for (symbol, key) in [("a", "amplitude"), ("omega", "frequency"), ("D", "gap"), ("r", "restitution")] {
         let scene = changed(&format!("symbol-{symbol}.toml"), [&format!("{key} ="), &format!("{symbol} =")]);
         assert!(error_of(&["run", &scene]).contains(&format!("did you mean `{key}`?")), "{symbol}");
         for verb in [&["sweep", SCENE, "--over"][..], &["chaos", SCENE, "--over"]] {
@@ -34,7 +34,7 @@ fn r35_symbols_of_the_paper_lead_to_the_keys() {
             assert!(error_of.contains(&format!("did you mean `{key}`?")), "{error_of}");
         }
     }
-    for (symbol, key) in [("v", "start.velocity"), ("y0", "start.position"), ("tau", "phase")] {
+    for (symbol, key) in [("v", "start.velocity"), ("y0", "start.position"), ("Omega", "frequency")] {
         assert!(
             error_of(&["sweep", SCENE, "--over", &format!("{symbol}=-2..-1:2")])
                 .contains(&format!("did you mean `{key}`?"))
@@ -177,7 +177,8 @@ fn r35_a_missing_table_names_its_line() {
     let last = fs::read_to_string(&scene).unwrap().trim_end().lines().count();
     let error_of = error_of(&["run", &scene]);
     assert!(
-        error_of.contains(&format!(": line {last}: pair is missing, but must be a table with gap, restitution")),
+        error_of
+            .contains(&format!(": line {last}: pair is missing, but must be a table with gap (d), restitution (e)")),
         "{error_of}"
     );
 }

@@ -24,7 +24,7 @@ Value: TypeAlias = "Number | tuple[Number, Number]"
 
 
 #: The keys that are lists with several harmonics.
-HARMONICS = ("excitation.amplitude", "excitation.frequency", "excitation.phase")
+HARMONICS = tuple(f"excitation.{name}" for name in ("amplitude", "A", "frequency", "angular-frequency", "W", "phase", "tau"))
 #: The greatest whole numbers that the library takes: of impacts and points, and of all else.
 IMPACTS = 2**63 - 1
 MOST = 2**32 - 1

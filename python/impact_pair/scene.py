@@ -56,12 +56,17 @@ class Scene:
     def __init__(
         self,
         *,
-        amplitude: Value | Sequence[Value],
-        frequency: Value | Sequence[Value],
-        gap: Value,
-        restitution: Value,
         velocity: Value,
-        phase: Value | Sequence[Value] = 0,
+        amplitude: Value | Sequence[Value] | None = None,
+        A: Value | Sequence[Value] | None = None,
+        frequency: Value | Sequence[Value] | None = None,
+        W: Value | Sequence[Value] | None = None,
+        phase: Value | Sequence[Value] | None = None,
+        tau: Value | Sequence[Value] | None = None,
+        gap: Value | None = None,
+        d: Value | None = None,
+        restitution: Value | None = None,
+        e: Value | None = None,
         time: Value = 0,
         wall: str | None = None,
         position: Value | None = None,
@@ -72,15 +77,22 @@ class Scene:
     ) -> None:
         """Make a scene.
 
-        The excitation is A sin(W t + tau): ``amplitude`` A [length], ``frequency`` W [rad/time], ``phase`` tau [rad]. ``gap`` d
-        [length] is between the walls, ``restitution`` e from 0 to 1. The start is at ``time`` [time] on a ``wall`` (``"left"``,
+        The excitation is A sin(W t + tau): ``amplitude`` or ``A`` [length], ``frequency`` or ``W`` [rad/time], ``phase`` or ``tau`` [rad],
+        0 by default. ``gap`` or ``d`` [length] is between the walls, ``restitution`` or ``e`` is from 0 to 1. The start is at ``time`` [time] on a ``wall`` (``"left"``,
         the default, or ``"right"``) with relative ``velocity`` [length/time] just before the impact, or inside the gap at
         ``position`` y [length]. ``impacts``, ``until`` [time] and ``digits`` are the defaults of ``run``.
         """
         given = {
             "title": title,
-            "excitation": {"amplitude": amplitude, "frequency": frequency, "phase": phase},
-            "pair": {"gap": gap, "restitution": restitution},
+            "excitation": {
+                "amplitude": amplitude,
+                "A": A,
+                "frequency": frequency,
+                "W": W,
+                "phase": 0 if phase is None and tau is None else phase,
+                "tau": tau,
+            },
+            "pair": {"gap": gap, "d": d, "restitution": restitution, "e": e},
             "start": {
                 "time": time,
                 "wall": "left" if wall is None and position is None else wall,
@@ -154,7 +166,7 @@ class Scene:
         return found
 
     def varied(self, values: Mapping[str, Value]) -> Scene:
-        """Return the scene with other values of some keys: amplitude, gap, start.velocity, amplitude.2 and so on.
+        """Return the scene with other values of some keys: amplitude or A, gap or d, start.velocity, amplitude.2 and so on.
 
         The defaults of ``run`` are kept.
         """

@@ -3,8 +3,7 @@
 use impact_pair::atlas::{self, Plane, columns, csv_head, csv_rows};
 use impact_pair::chaos::{Global, GlobalSettings};
 use impact_pair::json::{AtlasHead, AtlasRecord};
-use impact_pair::scene::{DIGITS, Range};
-use impact_pair::sweep::axis;
+use impact_pair::scene::DIGITS;
 use impact_pair::watch::Silent;
 use impact_pair_plot::atlas::{html, svg};
 use impact_pair_plot::picture::Look;
@@ -17,7 +16,7 @@ use crate::grid::{computed, dictionary};
 use crate::lines::{Lines, records};
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
-use crate::sweep::named;
+use crate::sweep::{named, ranged};
 use crate::watched::{Monitor, watched_whole};
 
 /// An atlas over the plane of two parameters, and the settings of its points or cells.
@@ -53,8 +52,7 @@ impl Atlas {
         requested: (&str, Option<u32>, u32),
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
-        let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
+        let axes = ranged(&over, &scene)?;
         let plane = Plane::new(axes, cells).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let (effort, horseshoes, digits) = requested;
         let usual = if cells { GlobalSettings::of_cell() } else { GlobalSettings::of_point() };

@@ -11,7 +11,7 @@ use impact_pair::json::{GivenBase, WallWordsDocument, one_a_line};
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::periodic::Precision;
 use impact_pair::periodic::bifurcation;
-use impact_pair::scene::Range;
+use impact_pair::scene::{Over, Range};
 use impact_pair::tangency::{FlightWord, Tangencies, TangencySettings};
 use impact_pair::watch::{Stage, Watch};
 use impact_pair::{Effort, Error};
@@ -95,7 +95,7 @@ pub fn windows(
 ) -> PyResult<Answer> {
     let (impacts, effort, longest, most) = question;
     let effort = effort_of(effort)?;
-    let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
+    let range = ranged(over, &scene.get().scene)?;
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
         let settings = WindowSettings {
@@ -109,6 +109,12 @@ pub fn windows(
         let document = found.document(&scene, &settings)?;
         Ok((text(&document), found.is_certified(), monitor.is_stopped()))
     })
+}
+
+/// The values of a key that varies, with the words that a search accepts.
+fn ranged(text: &str, scene: &impact_pair::Scene) -> Result<Range, Fault> {
+    let over = Over::parse(text, "KEY=LO..HI with single numbers LO < HI", |_| true);
+    over.and_then(|over| over.of(scene.pair())).map_err(|error| Fault::keyed(error, "over", text))
 }
 
 /// The error of a search over a range, which is at fault where no key of the scene is.
@@ -164,7 +170,7 @@ pub fn tangency(
 ) -> PyResult<Answer> {
     let (word, longest, most, effort) = question;
     let effort = effort_of(effort)?;
-    let range = over.parse::<Range>().map_err(|error| Fault::keyed(error, "over", over))?;
+    let range = ranged(over, &scene.get().scene)?;
     let word = word.map(|word| word.parse::<FlightWord>().map_err(|error| Fault::keyed(error, "word", word)));
     let word = word.transpose()?;
     let scene = scene.get().scene.clone();
@@ -180,6 +186,12 @@ pub fn tangency(
         let found = Tangencies::of(&scene, &settings, monitor).map_err(|error| range_fault(error, &settings.over))?;
         Ok((text(&found.document(&scene)), found.is_certified(), monitor.is_stopped()))
     })
+}
+
+/// The values of a parameter that periodic orbits depend on.
+fn over_of(text: &str, scene: &impact_pair::Scene) -> Result<Range, Fault> {
+    let over = bifurcation::over(text).and_then(|over| over.of(scene.pair()));
+    over.map_err(|error| Fault::keyed(error, "over", text))
 }
 
 /// Horseshoes and a lower bound of the entropy, from given h-sets (JSON) or those found.
@@ -200,7 +212,7 @@ pub fn chaos(
         let bases = bases.map(|bases| bases.iter().map(HSet::from).collect()).unwrap_or_default();
         let depth = depth.map(|depth| accepted("depth", depth, 1..=MOST_DEPTH)).transpose()?;
         let question = HorseshoeSettings { depth: depth.map(|depth| depth as usize), bases, effort };
-        let range = |text: String| bifurcation::over(&text).map_err(|error| Fault::keyed(error, "over", &text));
+        let range = |text: String| over_of(&text, &scene);
         let over = over.map(range).transpose()?;
         let pair = match &over {
             Some(over) => {
@@ -236,7 +248,7 @@ pub fn chaos_cells(
 ) -> PyResult<Drawn> {
     let ((over, cells), (effort, depth)) = (over, question);
     let requested = RangeSettings {
-        over: bifurcation::over(over).map_err(|error| Fault::keyed(error, "over", over))?,
+        over: over_of(over, &scene.get().scene)?,
         cells: accepted("cells", cells, 1..=MOST_CELLS)?,
         halvings: RangeSettings::halvings(effort_of(effort)?),
         depth: accepted("depth", depth, 1..=MOST_DEPTH)? as usize,

@@ -2,7 +2,7 @@
 
 use impact_pair::exact::Exact;
 use impact_pair::json::SceneDocument;
-use impact_pair::scene::Run;
+use impact_pair::scene::{Key, Run};
 use pyo3::prelude::*;
 
 use crate::errors::Fault;
@@ -45,12 +45,14 @@ impl Scene {
 
     /// The scene with other exact values of some keys, as the document of its parameters and start.
     fn varied(&self, keys: Vec<(String, String)>) -> PyResult<String> {
-        let mut values = Vec::new();
-        for (key, text) in &keys {
-            values.push((
-                key.parse().map_err(|error| Fault::keyed(error, "values", key))?,
-                crate::numbers::exact(key, text)?,
-            ));
+        let mut values: Vec<(Key, Exact)> = Vec::new();
+        for (name, text) in &keys {
+            let key = name.parse().map_err(|error| Fault::keyed(error, "values", name))?;
+            if let Some(other) = values.iter().position(|(known, _)| *known == key) {
+                let both = format!("must not be given beside {}: they are one key", keys[other].0);
+                return Err(Fault::range(name, text, &both).into());
+            }
+            values.push((key, crate::numbers::exact(name, text)?));
         }
         let scene = self.scene.with(&values).map_err(Fault::from)?;
         json(&SceneDocument::new(scene.pair(), scene.start()))

@@ -3,7 +3,7 @@
 use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
-use impact_pair::scene::{DIGITS, Key, Range};
+use impact_pair::scene::{DIGITS, Key, Over, Range};
 use impact_pair::sweep::{self, Cell, Grid, PointSettings, Table, axis, columns, csv_head, csv_rows, follow};
 use impact_pair::watch::Silent;
 use impact_pair_plot::picture::Look;
@@ -17,6 +17,13 @@ use crate::lines::{Lines, records};
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
 use crate::watched::{Monitor, watched_whole};
+
+/// The axes that texts say, for a scene.
+pub fn ranged(over: &[String], scene: &impact_pair::Scene) -> Result<Vec<Range>, Fault> {
+    let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
+    let axes: Vec<Over> = over.iter().map(named).collect::<Result<_, _>>()?;
+    Over::all(&axes, scene.pair()).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))
+}
 
 /// A sweep over a grid, and the settings of its points.
 #[pyclass(frozen, module = "impact_pair._core")]
@@ -58,8 +65,7 @@ impl Sweep {
         summary: bool,
     ) -> PyResult<Self> {
         let scene = scene.get().scene.clone();
-        let named = |text: &String| axis(text).map_err(|error| Fault::keyed(error, "over", text));
-        let axes: Vec<Range> = over.iter().map(named).collect::<Result<_, _>>()?;
+        let axes = ranged(&over, &scene)?;
         let grid = Grid::new(axes).map_err(|error| Fault::keyed(error, "over", &over.join(" ")))?;
         let settings = Settings {
             digits: accepted("digits", requested.0, DIGITS)?,

@@ -5,7 +5,8 @@ use impact_pair_document::{
     SweepAxis, SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::{Grid, Point, PointSettings, axis};
+use super::grid::{ACCEPTED_FORM, is_axis};
+use super::{Grid, Point, PointSettings};
 use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
 use crate::lyapunov::Exponent;
 use crate::number::Ball;
@@ -45,7 +46,10 @@ pub(crate) fn written(axis: &Range) -> SweepAxis {
 /// # Errors
 /// If one of the written axes is not valid.
 pub(crate) fn axes(written: &[SweepAxis]) -> Result<Vec<Range>, Error> {
-    let axis_of = |over: &SweepAxis| axis(&format!("{}={}..{}:{}", over.key, over.from, over.to, over.count));
+    let axis_of = |over: &SweepAxis| {
+        let text = format!("{}={}..{}:{}", over.key, over.from, over.to, over.count);
+        Range::parse(&text, ACCEPTED_FORM, is_axis)
+    };
     written.iter().map(axis_of).collect()
 }
 

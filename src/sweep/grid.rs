@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::exact::Exact;
-use crate::scene::{Key, Range, Scene};
+use crate::scene::{Key, Over, Range, Scene};
 
 /// Greatest number of points of a grid.
 pub const MOST_POINTS: u64 = 100_000_000;
@@ -14,18 +14,17 @@ pub const MOST_POINTS: u64 = 100_000_000;
 ///
 /// ```
 /// let axis = impact_pair::sweep::axis("amplitude=0..1:4")?;
-/// let values: Vec<String> = (0..4).map(|i| axis.value(i, 3).unwrap().text()).collect();
-/// assert_eq!(values, ["0", "1/3", "2/3", "1"]);
+/// assert_eq!(axis.to_string(), "amplitude=0..1:4");
 /// assert!(impact_pair::sweep::axis("amplitude=0..1").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-pub fn axis(text: &str) -> Result<Range, Error> {
-    Range::parse(text, ACCEPTED_FORM, is_axis)
+pub fn axis(text: &str) -> Result<Over, Error> {
+    Over::parse(text, ACCEPTED_FORM, is_axis)
 }
 
-const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
+pub(super) const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
-fn is_axis(range: &Range) -> bool {
+pub(super) fn is_axis(range: &Range) -> bool {
     range.count().is_some_and(|count| (2..=MOST_POINTS).contains(&count))
 }
 

@@ -42,7 +42,7 @@ use scene::{Folds, Search};
 pub use word::{FlightWord, MOST_FLIGHTS};
 
 /// The keys over which tangencies are searched, in words.
-pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
+pub const TANGENCY_PARAMETERS: &str = "KEY one of gap, amplitude, restitution, A/d";
 
 /// Whether tangencies are searched over such a range.
 pub fn is_tangency_range(range: &Range) -> bool {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use impact_pair::Effort;
 use impact_pair::chaos::{GlobalSettings, MOST_DEPTH};
-use impact_pair::scene::Range;
+use impact_pair::scene::Over;
 use impact_pair::sweep::axis;
 use impact_pair_plot::picture::Look;
 
@@ -26,7 +26,7 @@ Examples:
 Shards become one by atlas --merge one.jsonl two.jsonl three.jsonl --output atlas.csv
 
 Each point has a global analysis of its own, as global proves it; the start of the scene is not used. KEY is amplitude, \
-frequency, phase, gap or restitution; only A/d and e matter. Points are exact and evenly spaced, endpoints included; the \
+frequency, phase, gap, restitution, or A/d, the amplitude in gaps; only A/d and e matter. Points are exact and evenly spaced, endpoints included; the \
 second axis varies faster. With --cells the rectangle is cut into at most 8 x 8 tiles, and a cell into quarters while its \
 class is not decided for all its parameters, down to COUNT cells along each axis; of a smallest cell that is not decided \
 stable periodic orbits are proved, by sets that move with the parameters.
@@ -50,7 +50,7 @@ pub struct AtlasArguments {
     pub scene: Option<PathBuf>,
     /// The two parameters
     #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Range>,
+    pub over: Vec<Over>,
     /// Prove each answer for all parameters of a cell
     #[arg(long)]
     pub cells: bool,

@@ -17,7 +17,8 @@ use crate::grid::record::line;
 use crate::grid::{Gathered, Work, answered, named, open_once};
 use crate::output::{Output, note};
 use crate::progress::Interruption;
-use crate::{Answer, ending, scene};
+use crate::scene::{self, ranged};
+use crate::{Answer, ending};
 use arguments::{AtlasArguments, AtlasFormat};
 use tally::Classes;
 
@@ -63,11 +64,11 @@ fn format(arguments: &AtlasArguments) -> Result<AtlasFormat> {
 
 fn compute(arguments: &AtlasArguments, format: AtlasFormat, path: &Path) -> Result<Answer> {
     let scene: Scene = scene::read(path)?;
-    let plane = Plane::new(arguments.over.clone(), arguments.cells)?;
+    let plane = Plane::new(ranged(&arguments.over, &scene, path)?, arguments.cells)?;
     let settings = arguments.settings();
     let head = atlas::head(&scene, &plane, &settings, arguments.grid.shard());
     // All corners are scenes that are analysed, before anything is computed.
-    let ranges: Vec<_> = arguments.over.iter().map(|axis| (axis.key(), axis.to_string())).collect();
+    let ranges: Vec<_> = plane.axes().iter().map(|axis| (axis.key(), axis.to_string())).collect();
     let corners = || plane.corners(&scene)?.iter().try_for_each(|corner| Global::accepts(corner.pair()));
     corners().map_err(|error| scene::about(error, &ranges, path))?;
     open_once(&[arguments.destination.output.as_deref(), arguments.plot.as_deref()])?;

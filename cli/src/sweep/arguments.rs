@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use impact_pair::orbit::Arithmetic;
-use impact_pair::scene::Range;
+use impact_pair::scene::Over;
 use impact_pair::sweep::{MOST_IMPACTS, axis};
 use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::Show;
@@ -24,9 +24,9 @@ Examples:
 
 Shards become one by sweep --merge one.jsonl two.jsonl three.jsonl --output diagram.csv
 
-KEY is amplitude, frequency, phase, gap, restitution, start.time, start.phase (W t + tau), start.position or \
-start.velocity. With several terms, amplitude.K, frequency.K or phase.K is that of term K of the scene's lists, \
-counted from 1. Phases and forcing periods refer to the same term at all points, the head's reference: the fastest \
+KEY is amplitude (A), frequency (W), phase (tau), gap (d), restitution (e), A/d (the amplitude in gaps), start.time, \
+start.phase (W t + tau), start.position or start.velocity. With several terms, amplitude.K, frequency.K or phase.K is \
+that of term K of the scene's lists, counted from 1. Phases and forcing periods refer to the same term at all points, the head's reference: the fastest \
 of those that move the box where all varied keys are greatest. Points are exact and evenly spaced, endpoints \
 included; of two axes the second one varies faster.
 
@@ -53,7 +53,7 @@ pub struct SweepArguments {
     pub scene: Option<PathBuf>,
     /// The varied key, or two of them
     #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Range>,
+    pub over: Vec<Over>,
     /// Number of impacts in the transient, which are certified but not written
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = impact_pair_answers::values::count(0..=MOST_IMPACTS))]
     pub transient: u64,

@@ -10,7 +10,7 @@ use impact_pair::json::counted;
 use impact_pair::mapping::Word;
 use impact_pair::periodic::bifurcation::{BranchEnd, Diagram, DiagramSettings, Kind, over, survey};
 use impact_pair::periodic::chain::MOST_CYCLES;
-use impact_pair::scene::{Key, Range};
+use impact_pair::scene::{Key, Over};
 use impact_pair::watch::Watch;
 
 use crate::values::{PrecisionArguments, whole};
@@ -28,9 +28,10 @@ pub struct BifurcationOptions {
     /// The number of forcing periods 2 pi/W that the orbit takes
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_CYCLES))]
     pub cycles: u32,
-    /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution or frequency
+    /// The parameter and its range: amplitude (with several terms amplitude.K), gap, restitution, frequency, or A/d, the
+    /// amplitude in gaps
     #[arg(long, value_name = "KEY=LO..HI", value_parser = over, allow_hyphen_values = true)]
-    pub over: Range,
+    pub over: Over,
     /// Number of period doublings after which new branches are not followed further
     #[arg(long, value_name = "K", default_value_t = 4, value_parser = whole(0..=8))]
     pub doublings: u32,
@@ -60,9 +61,10 @@ impl Verb for BifurcationOptions {
 
     fn answer<'s>(&self, Asked { scene, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Bifurcations<'s>, Failure> {
         let Self { word, cycles, over, doublings, precision } = self;
+        let over = over.of(scene.pair())?;
         let settings = DiagramSettings { over: over.clone(), doublings: *doublings, precision: precision.of(scene) };
         let diagram = survey(scene.pair(), scene.start(), (word, *cycles), &settings, watch);
-        Ok(Bifurcations { scene, word: word.clone(), cycles: *cycles, diagram: diagram.map_err(Failure::over(over))? })
+        Ok(Bifurcations { scene, word: word.clone(), cycles: *cycles, diagram: diagram.map_err(Failure::over(&over))? })
     }
 }
 

@@ -40,7 +40,11 @@ impl<'a> Axes<'a> {
                 .refused("accepted is the number of a shard, from 1 on, and how many there are"));
         }
         let key = |(axis, place): (&SweepAxis, &Place<'_>)| {
-            axis.key.parse::<Key>().or_else(|error| Err(place.get("key")?.refused(&error.to_string())))
+            let key = axis.key.parse().or_else(|error: Error| Err(place.get("key")?.refused(&error.to_string())));
+            let is_in_full = |key: &Key| axis.key == key.to_string() || axis.key == key.place();
+            key.and_then(|key| {
+                if is_in_full(&key) { Ok(key) } else { Err(place.get("key")?.refused("accepted is a name in full")) }
+            })
         };
         let ends = |(axis, place): (&SweepAxis, &Place<'_>)| -> Result<[Exact; 2], Error> {
             let end = |name: &str, text: &str| {

@@ -27,7 +27,7 @@ pub use search::MAX_CYCLE as MOST_WINDOW_IMPACTS;
 use search::{Family, Superstable, VariedParameter};
 
 /// The keys over which windows are searched, in words.
-pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution";
+pub const WINDOW_PARAMETERS: &str = "KEY one of gap, amplitude, restitution, A/d";
 
 /// Whether windows are searched over such a range.
 pub fn is_window_range(range: &Range) -> bool {

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::exact::{Enclosure, Exact, ExactError};
 use crate::excitation::Harmonic;
 use crate::pair::{ImpactPair, ball, within};
-use crate::scene::{Key, Range};
+use crate::scene::{Key, Over, Range};
 
 /// Reads a range that branches are followed over: `KEY=LO..HI` of an amplitude, the gap, the restitution, or a frequency, over which nothing
 /// bifurcates (Lemma R1).
@@ -15,12 +15,12 @@ use crate::scene::{Key, Range};
 ///
 /// ```
 /// use impact_pair::periodic::bifurcation::over;
-/// assert_eq!(over("amplitude=0.3..0.5")?.low().text(), "0.3");
+/// assert_eq!(over("amplitude=0.3..0.5")?.to_string(), "amplitude=0.3..0.5");
 /// assert!(over("gap=2..3:4").is_err() && over("start.velocity=1..2").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-pub fn over(text: &str) -> Result<Range, Error> {
-    Range::parse(text, &accepted(), is_followed)
+pub fn over(text: &str) -> Result<Over, Error> {
+    Over::parse(text, &accepted(), is_followed)
 }
 
 /// Accepted ranges, in words.
@@ -33,7 +33,7 @@ fn is_followed(range: &Range) -> bool {
 }
 
 /// The keys that periodic orbits depend on, in words.
-pub const PARAMETERS: &str = "KEY one of amplitude, gap, restitution, frequency; with several terms amplitude.K";
+pub const PARAMETERS: &str = "KEY one of amplitude, gap, restitution, frequency, A/d; with several terms amplitude.K";
 
 /// Whether periodic orbits depend on the key of a range.
 pub fn is_parameter(range: &Range) -> bool {

@@ -7,6 +7,30 @@ use std::str::FromStr;
 use super::section::nearest;
 use crate::error::Error;
 
+/// Accepted beside the names of keys: the letters in which results are printed, each with the table and the name that it stands for.
+pub(super) const LETTERS: [(&str, &str, &str); 6] = [
+    ("A", "excitation", "amplitude"),
+    ("W", "excitation", "frequency"),
+    ("angular-frequency", "excitation", "frequency"),
+    ("tau", "excitation", "phase"),
+    ("d", "pair", "gap"),
+    ("e", "pair", "restitution"),
+];
+
+/// The name that a letter stands for; any other name as it is.
+pub(super) fn spelled(name: &str) -> &str {
+    LETTERS.iter().find(|(letter, ..)| *letter == name).map_or(name, |(.., long)| long)
+}
+
+/// Names with the letters that are accepted for them: `gap (d), restitution (e)`.
+pub(super) fn listed(names: &[&str]) -> String {
+    let with_letters = |name: &&str| {
+        let letters: Vec<&str> = LETTERS.iter().filter(|(.., long)| long == name).map(|(letter, ..)| *letter).collect();
+        if letters.is_empty() { (*name).to_owned() } else { format!("{name} ({})", letters.join(", ")) }
+    };
+    names.iter().map(with_letters).collect::<Vec<_>>().join(", ")
+}
+
 /// The number of a term of the excitation, from 1, in the order of the scene file.
 pub type Term = NonZeroU16;
 
@@ -19,6 +43,7 @@ pub type Term = NonZeroU16;
 /// assert_eq!("amplitude".parse::<Key>()?, Key::Amplitude(None));
 /// assert_eq!("excitation.phase.2".parse::<Key>()?.to_string(), "phase.2");
 /// assert_eq!("start.velocity".parse::<Key>()?.to_string(), "start.velocity");
+/// assert_eq!("A.2".parse::<Key>()?, "amplitude.2".parse()?);
 /// # Ok::<(), impact_pair_model::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -135,14 +160,14 @@ impl Key {
 }
 
 fn not_a_key(text: &str) -> Error {
-    let keys = Key::ALL.map(Key::name).join(", ");
+    let keys = listed(&Key::ALL.map(Key::name));
     let terms = "of several terms with a number, such as amplitude.2";
     let meant = Key::meant(text).map(str::to_owned);
     Error::out_of_range(None, format!("the key is \"{text}\", but accepted are {keys}; {terms}")).meant(meant)
 }
 
 impl Key {
-    /// The name of the key that an unknown text resembles, such as `restitution` for `e`.
+    /// The name of the key that an unknown text resembles, such as `restitution` for `r`.
     pub fn meant(text: &str) -> Option<&'static str> {
         let names = Self::ALL.map(Self::name);
         nearest(text, &names).or_else(|| {
@@ -163,10 +188,10 @@ impl fmt::Display for Key {
 impl FromStr for Key {
     type Err = Error;
 
-    /// The table of a parameter (`pair.gap`) may be left out, the table `start` may not.
+    /// The table of a parameter (`pair.gap`) may be left out, the table `start` may not; letters stand for the names of parameters.
     fn from_str(text: &str) -> Result<Self, Error> {
         let short = text.strip_prefix("excitation.").or_else(|| text.strip_prefix("pair.")).unwrap_or(text);
-        let named = |name: &str| Self::ALL.into_iter().find(|key| key.name() == name);
+        let named = |name: &str| Self::ALL.into_iter().find(|key| key.name() == spelled(name));
         let of_term = || {
             let (name, number) = short.rsplit_once('.')?;
             named(name)?.of(number.parse().ok()?)
@@ -185,6 +210,17 @@ mod tests {
         assert!(is_one("gap", "pair.gap") && is_one("start.time", "start.phase"));
         assert!(is_one("phase.2", "phase.2") && is_one("phase", "phase.1") && is_one("phase.1", "phase"));
         assert!(!is_one("phase.1", "phase.2") && !is_one("phase.1", "amplitude.1") && !is_one("gap", "restitution"));
+    }
+
+    #[test]
+    fn letters_stand_for_the_names_of_parameters() {
+        let key = |text: &str| text.parse::<Key>().unwrap().to_string();
+        let letters = ["A", "W", "angular-frequency", "tau", "d", "e", "A.2", "excitation.tau.3", "pair.e"];
+        let names = "amplitude frequency frequency phase gap restitution amplitude.2 phase.3 restitution";
+        assert_eq!(letters.map(key).join(" "), names);
+        let message = "r".parse::<Key>().unwrap_err().to_string();
+        assert!(message.contains("amplitude (A), frequency (W, angular-frequency), phase (tau), gap (d)"), "{message}");
+        assert!(message.ends_with("did you mean `restitution`?"), "{message}");
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! (`"[9.42, 9.43]"`); see [`Exact::parse`]. Nothing is rounded to a double, nothing is clamped. Required are
 //! `[excitation]` with `amplitude`, `frequency` and `phase` (for several harmonics lists of one length; a single phase
 //! holds for all harmonics), `[pair]` with `gap` and `restitution`, and `[start]` with `time`, `velocity` and either `wall`
-//! or `position`. `title` and `[run]` are optional.
+//! or `position`. `title` and `[run]` are optional. The letters `A`, `W`, `tau`, `d` and `e` stand for the names of parameters.
 
 mod key;
 mod range;
@@ -23,7 +23,7 @@ use crate::settings::{Arithmetic, Settings};
 use crate::start::Start;
 use impact_pair_exact::Exact;
 pub use key::{Key, Term};
-pub use range::Range;
+pub use range::{Over, Range};
 use section::{Entry, Section, quoted};
 
 /// Digits of a shadow if none are requested: the width of a shadow is not controlled, so the digits of `[run]` do not apply.

@@ -4,6 +4,7 @@ use std::ops::{Range, RangeInclusive};
 
 use toml_edit::{Item, Key, TableLike, Value};
 
+use super::key::{LETTERS, listed, spelled};
 use crate::error::{Error, shown};
 use crate::excerpt::Excerpt;
 use impact_pair_exact::Exact;
@@ -11,18 +12,13 @@ use impact_pair_exact::Exact;
 const NUMBER_EXPECTED: &str =
     "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
 
-/// Symbols of the paper and of other programs: the symbol, the table and the key that it stands for.
-const SYMBOLS: [(&str, &str, &str); 19] = [
-    ("A", "excitation", "amplitude"),
+/// Symbols of other programs, which are suggestions: the symbol, the table and the key that it stands for.
+const SYMBOLS: [(&str, &str, &str); 14] = [
     ("a", "excitation", "amplitude"),
-    ("W", "excitation", "frequency"),
     ("w", "excitation", "frequency"),
     ("omega", "excitation", "frequency"),
     ("Omega", "excitation", "frequency"),
-    ("tau", "excitation", "phase"),
-    ("d", "pair", "gap"),
     ("D", "pair", "gap"),
-    ("e", "pair", "restitution"),
     ("r", "pair", "restitution"),
     ("epsilon", "pair", "restitution"),
     ("t", "start", "time"),
@@ -46,7 +42,7 @@ pub(super) struct Section<'t> {
 
 /// A key of a table with its value.
 pub(super) struct Entry<'t> {
-    /// The key with the table's name: `pair.gap`.
+    /// The key with the table's name, in full where a letter stands for it: `pair.gap`.
     pub key: String,
     text: &'t str,
     name: Range<usize>,
@@ -63,7 +59,7 @@ impl<'t> Section<'t> {
     /// The table `name` of the file, whose keys are among `keys`.
     pub fn section(&self, name: &'static str, keys: &[&str]) -> Result<Self, Error> {
         self.optional_section(name, keys)?.ok_or_else(|| {
-            let missing = Error::entry(name, "missing", &format!("must be a table with {}", keys.join(", ")));
+            let missing = Error::entry(name, "missing", &format!("must be a table with {}", listed(keys)));
             // It may be added after the last line.
             match self.text.trim_end().len() {
                 0 => missing,
@@ -76,15 +72,16 @@ impl<'t> Section<'t> {
     pub fn optional_section(&self, name: &'static str, keys: &[&str]) -> Result<Option<Self>, Error> {
         let Some(entry) = self.entry(name) else { return Ok(None) };
         let table = entry.item.as_table_like();
-        let table = table.ok_or_else(|| entry.refused(&format!("must be one table with {}", keys.join(", "))))?;
+        let table = table.ok_or_else(|| entry.refused(&format!("must be one table with {}", listed(keys))))?;
         let section = Self { text: self.text, name, span: entry.name, table };
         section.refuse_unknown(keys)?;
+        section.refuse_twice()?;
         Ok(Some(section))
     }
 
-    /// The entry of `key`, if there is one.
+    /// The entry of `key`, or of a letter that stands for it, if there is one.
     pub fn entry(&self, key: &str) -> Option<Entry<'t>> {
-        self.table.get_key_value(key).map(|(key, item)| self.entry_of(key, item))
+        self.entries().find(|entry| entry.key == self.full(key))
     }
 
     /// The entry of `key`; the error `missing` if there is none.
@@ -101,10 +98,27 @@ impl<'t> Section<'t> {
             None => Ok(()),
             Some(unknown) => {
                 let place = if self.name.is_empty() { "a scene".into() } else { format!("[{}]", self.name) };
-                let but = format!("is not a key of {place}: accepted are {}", accepted.join(", "));
+                let but = format!("is not a key of {place}: accepted are {}", listed(accepted));
                 let name = unknown.key.rsplit('.').next().unwrap_or_default();
                 let meant = nearest(name, accepted).map_or_else(|| elsewhere(name), |meant| Some(meant.to_owned()));
                 Err(unknown.refused_at(unknown.name.clone(), &but).meant(meant))
+            }
+        }
+    }
+
+    /// Refuses two names of one key.
+    fn refuse_twice(&self) -> Result<(), Error> {
+        let all: Vec<_> = self.entries().collect();
+        let twice = all
+            .iter()
+            .enumerate()
+            .find_map(|(i, own)| Some((own, all[..i].iter().find(|other| other.key == own.key)?)));
+        match twice {
+            None => Ok(()),
+            Some((own, other)) => {
+                let [name, other_name] = [own, other].map(|entry| self.full(entry.written_name()));
+                let line = other.line();
+                Err(own.refused(&format!("{name} and {other_name}, on line {line}, are one key: give one of them")))
             }
         }
     }
@@ -115,7 +129,7 @@ impl<'t> Section<'t> {
     }
 
     fn entries(&self) -> impl Iterator<Item = Entry<'t>> {
-        let known = |(key, _): (&str, _)| self.entry(key);
+        let known = |(key, _): (&str, _)| self.table.get_key_value(key).map(|(key, item)| self.entry_of(key, item));
         self.table.iter().filter_map(known)
     }
 
@@ -123,11 +137,17 @@ impl<'t> Section<'t> {
         if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
     }
 
+    /// The name that a letter stands for in this table.
+    fn spelled<'n>(&self, name: &'n str) -> &'n str {
+        let is_ours = LETTERS.iter().any(|(letter, table, _)| *letter == name && *table == self.name);
+        if is_ours { spelled(name) } else { name }
+    }
+
     fn entry_of(&self, key: &'t Key, item: &'t Item) -> Entry<'t> {
         let key_span = key.span().unwrap_or_default();
         // Tables made by dotted keys have no span of their own.
         let value = item.span().unwrap_or_else(|| key_span.clone());
-        Entry { key: self.full(key.get()), text: self.text, name: key_span, value, item }
+        Entry { key: self.full(self.spelled(key.get())), text: self.text, name: key_span, value, item }
     }
 }
 
@@ -135,6 +155,11 @@ impl<'t> Entry<'t> {
     /// The value as written, for messages and for exact decimals.
     fn written(&self) -> &'t str {
         self.text.get(self.value.clone()).unwrap_or_default()
+    }
+
+    /// The name as written.
+    fn written_name(&self) -> &'t str {
+        self.text.get(self.name.clone()).unwrap_or_default()
     }
 
     /// The line of the value.
@@ -234,7 +259,7 @@ impl<'t> Entry<'t> {
 
 /// The key `table.key` that a symbol of the paper stands for, where it belongs to another table.
 fn elsewhere(name: &str) -> Option<String> {
-    let (_, table, meant) = SYMBOLS.iter().find(|(symbol, ..)| *symbol == name)?;
+    let (_, table, meant) = LETTERS.iter().chain(&SYMBOLS).find(|(symbol, ..)| *symbol == name)?;
     Some(format!("{table}.{meant}"))
 }
 
