@@ -78,9 +78,10 @@ class Scene:
         """Make a scene.
 
         The excitation is A sin(W t + tau): ``amplitude`` or ``A`` [length], ``frequency`` or ``W`` [rad/time], ``phase`` or ``tau`` [rad],
-        0 by default. ``gap`` or ``d`` [length] is between the walls, ``restitution`` or ``e`` is from 0 to 1. The start is at ``time`` [time] on a ``wall`` (``"left"``,
-        the default, or ``"right"``) with relative ``velocity`` [length/time] just before the impact, or inside the gap at
-        ``position`` y [length]. ``impacts``, ``until`` [time] and ``digits`` are the defaults of ``run``.
+        0 by default. ``gap`` or ``d`` [length] is between the walls, ``restitution`` or ``e`` is from 0 to 1.
+        The start is at ``time`` [time] on a ``wall`` (``"left"``, the default, or ``"right"``) with relative ``velocity``
+        [length/time] just before the impact, or inside the gap at ``position`` y [length].
+        ``impacts``, ``until`` [time] and ``digits`` are the defaults of ``run``.
         """
         given = {
             "title": title,
@@ -403,8 +404,9 @@ class Scene:
     ) -> AtlasResult:
         """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
 
-        ``effort`` multiplies the work for each point or cell: about 300,000 boxes in all for a point, 20,000 for a cell. With ``horseshoes``
-        undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at most that many impacts.
+        ``effort`` multiplies the work for each point or cell: about 300,000 boxes in all for a point, 20,000 for a cell. With
+        ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at most that many
+        impacts.
         """
         requested: dict[str, Any] = {"cells": cells, "effort": text("effort", effort), "digits": whole("digits", digits)}
         requested |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
@@ -533,8 +535,8 @@ class Scene:
     ) -> answers.Windows:
         """Search stable periodic orbits over ``{"gap": (low, high)}`` and prove each with the window in which it is stable.
 
-        ``impacts`` of floating-point orbits, times ``effort``, are searched for orbits of at most ``longest`` impacts of the reduced map; the
-        ``most`` windows that are nearest to the scene's own value are proved.
+        ``impacts`` of floating-point orbits, times ``effort``, are searched for orbits of at most ``longest`` impacts of the reduced map;
+        the ``most`` windows that are nearest to the scene's own value are proved.
         """
         question = (whole("impacts", impacts), text("effort", effort), whole("longest", longest), whole("most", most))
         requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
