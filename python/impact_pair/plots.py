@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _core, _kinds, _manifold
-from ._kinds import BLUE, CLASSES, GREEN, VERMILION, class_of, colours_of, kinds_of
+from ._kinds import BLUE, CLASSES, GREEN, VERMILION, class_of
 from .answers import Manifold
 from .bounds import middles, outward
 from .errors import RangeError
@@ -46,8 +46,8 @@ IN_A_CYCLE = 200
 WIDTHS = {"single": 90 / 25.4, "double": 190 / 25.4}
 #: Figures less wide than this have smaller letters [inches].
 NARROW = 5.0
-#: Kinds of outcomes that a legend names.
-MOST_NAMED = 12
+#: The name of a ring in the legend of a map.
+RING = "an attractor, where it hits the left wall"
 
 
 #: The walls in words.
@@ -388,7 +388,7 @@ def basins(found: SweepResult, ax: Any, values: str = "outcome") -> None:
         image = ax.pcolormesh(*edges, np.reshape(colours, shape).T, rasterized=True)
         ax.figure.colorbar(image, ax=ax, label="exponent per impact")
     elif values in ("outcome", "word"):
-        _categories(found, ax, edges, shape, by_place=values == "outcome")
+        _categories(found, ax, edges, shape, by_word=values == "word")
     else:
         raise RangeError(f"values is {values!r}, but must be outcome, exponent or word", "values", values)
     for over, axis in zip(axes, "xy", strict=True):
@@ -405,19 +405,17 @@ def _edges(ends: list[float], count: int) -> Doubles:
     return np.linspace(low - half, high + half, count + 1)
 
 
-def _categories(found: SweepResult, ax: Any, edges: list[Doubles], shape: list[int], *, by_place: bool) -> None:
+def _categories(found: SweepResult, ax: Any, edges: list[Doubles], shape: list[int], *, by_word: bool) -> None:
     from matplotlib.colors import ListedColormap
+    from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    keys = [over["key"] for over in found.head["over"]]
-    kinds, numbers = kinds_of(found, by_place=by_place and all(key.startswith("start.") for key in keys))
-    colours = colours_of(kinds)
+    numbers, colours, legend, rings = found.on_map(by_word=by_word)
     order = ListedColormap(colours)
-    ax.pcolormesh(*edges, np.reshape(numbers, shape).T, cmap=order, vmin=-0.5, vmax=len(kinds) - 0.5, rasterized=True)
-    ranked = sorted(zip(kinds, colours, strict=True), key=lambda kind: -kind[0].points)
-    patches = [Patch(facecolor=colour, edgecolor="black", linewidth=0.4, label=kind.name) for kind, colour in ranked[:MOST_NAMED]]
-    ax.legend(handles=patches, fontsize="x-small", loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2, frameon=False)
-    if keys == ["start.phase", "start.velocity"] and found.head["scene"]["start"].get("wall") == "left":
-        for kind, colour in zip(kinds, colours, strict=True):
-            if kind.first is not None:
-                ax.plot(*kind.first, "o", markersize=7, markerfacecolor=colour, markeredgecolor="white", markeredgewidth=1.5)
+    ax.pcolormesh(*edges, np.reshape(numbers, shape).T, cmap=order, vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True)
+    ring = {"marker": "o", "markersize": 7, "markeredgecolor": "black", "linestyle": "none"}
+    entries: list[Any] = [Patch(facecolor=colour, edgecolor="black", linewidth=0.4, label=name) for colour, name in legend]
+    entries += [Line2D([], [], markerfacecolor="white", label=RING, **ring)] if rings else []
+    ax.legend(handles=entries, fontsize="x-small", loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2, frameon=False)
+    for phase, velocity, colour in rings:
+        ax.plot(phase, velocity, markerfacecolor=colour, **ring)

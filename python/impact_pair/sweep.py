@@ -156,6 +156,16 @@ class SweepResult(GridResult):
         self.require_whole()
         return _cf.sweep(self)
 
+    def on_map(
+        self, *, by_word: bool = False
+    ) -> tuple[list[int | None], list[str], list[tuple[str, str]], list[tuple[float, float, str]]]:
+        """Return what a map over two keys shows: the number of each point's kind of outcome, and the colours of the kinds.
+
+        Then the legend, colours with names, and where attractors hit the left wall first, phase and velocity with their colour. Attractors
+        of one pair are told apart by their states, or with ``by_word`` only by their words.
+        """
+        return self._core.outcomes(b"".join(self.lines()), by_word)
+
     def svg(self, show: str = "phase") -> str:
         """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""
         return str(self._core.svg(b"".join(self.lines()), show))

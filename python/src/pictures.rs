@@ -59,6 +59,6 @@ pub fn plot(
 }
 
 /// A picture, or why there is none.
-pub fn drawn(svg: Result<String>) -> Result<String, Fault> {
-    svg.map_err(Fault::other)
+pub fn drawn<T>(picture: Result<T>) -> Result<T, Fault> {
+    picture.map_err(Fault::other)
 }

@@ -6,8 +6,8 @@ use impact_pair::orbit::{self, Settings};
 use impact_pair::scene::{DIGITS, Key, Over, Range};
 use impact_pair::sweep::{self, Cell, Grid, PointSettings, Table, axis, columns, csv_head, csv_rows, follow};
 use impact_pair::watch::Silent;
-use impact_pair_plot::picture::Look;
-use impact_pair_plot::sweep::{Show, svg};
+use impact_pair_plot::picture::{Look, hex};
+use impact_pair_plot::sweep::{Outcomes, Show, svg};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -138,6 +138,18 @@ impl Sweep {
         watched_whole(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None, &Look::default())))
     }
 
+    /// The outcomes of a map, attractors of one pair told apart unless `by_word`: for each point the number of its kind, the colours of kinds, the
+    /// legend, and where attractors hit the left wall first, with their colours.
+    fn outcomes(&self, py: Python<'_>, lines: &[u8], by_word: bool) -> PyResult<MapOutcomes> {
+        watched_whole(py, None, |_| {
+            let found = drawn(Outcomes::of(&mut Lines { head: &self.head, lines }, by_word))?;
+            let legend = found.legend().into_iter().map(|(colour, name)| (hex(colour), name)).collect();
+            let rings =
+                found.rings().into_iter().map(|([phase, velocity], colour)| (phase, velocity, hex(colour))).collect();
+            Ok((found.points, found.colours.into_iter().map(hex).collect(), legend, rings))
+        })
+    }
+
     /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
     fn table<'py>(&self, py: Python<'py>, lines: &[u8], rows: &str) -> PyResult<Bound<'py, PyDict>> {
         let table = table(rows)?;
@@ -147,6 +159,9 @@ impl Sweep {
         dictionary(py, &columns(&self.head, table), &rows)
     }
 }
+
+/// The kind of each point, colours of kinds, the legend, and rings.
+type MapOutcomes = (Vec<Option<usize>>, Vec<String>, Vec<(String, String)>, Vec<(f64, f64, String)>);
 
 /// The table of these rows.
 fn table(rows: &str) -> Result<Table, Fault> {

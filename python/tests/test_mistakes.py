@@ -56,7 +56,7 @@ NOT_ASKED = {
     "one end": (lambda: SCENE.sweep({"gap": 9}), "gap"),
     "half a point of a sweep": (lambda: SCENE.sweep({"gap": (9, 10, 2.5)}), "gap"),
     "fewer than no points": (lambda: SCENE.sweep({"gap": (9, 10, -2)}), "gap"),
-    "no such key": (lambda: SCENE.sweep({"e": (0, 1, 3)}), ""),
+    "no such key": (lambda: SCENE.sweep({"r": (0, 1, 3)}), "did you mean `restitution`"),
     "no number of points": (lambda: SCENE.manifold({"frequency": (1, 2)}), ""),
     "half a point": (lambda: SCENE.manifold({"frequency": (1, 2, 2.5)}), ""),
     "a tuple too long": (lambda: SCENE.bifurcations("RL", 1, {"gap": (1, 2, 3)}), ""),

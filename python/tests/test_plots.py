@@ -33,13 +33,30 @@ def labels(ax):
 
 def test_r35_basins_tell_mirror_images_apart_as_the_command_line_does(starts):
     ax = plots.basins(starts, header=False)
-    assert len(labels(ax)) == 2
+    assert len(labels(ax)) == 3
     svg = starts.svg()
-    for name in labels(ax):
+    for name in labels(ax)[:2]:
         assert name.startswith("LR in 1 cycle, L at")
         assert name in svg
     assert ax.get_title(loc="left") == ""
     assert labels(plots.basins(starts, values="word")) == ["LR in 1 cycle"]
+
+
+def test_two_pictures_of_one_sweep_have_one_legend(starts, cli, tmp_path):
+    over = ("--over", "start.phase=0..2*pi:9", "--over", "start.velocity=-6..-1/2:7")
+    files = ("--output", tmp_path / "map.csv", "--plot", tmp_path / "map.svg")
+    cli.text("sweep", "scenes/cascade.toml", *over, "--transient", 100, "--impacts", 1, "--summary", *files)
+    svg = (tmp_path / "map.svg").read_text()
+    ax = plots.basins(starts)
+    assert all(name in svg for name in labels(ax))
+    assert labels(ax) == sorted(labels(ax), key=svg.index)
+    patches = [mpl.colors.to_hex(patch.get_facecolor()).upper() for patch in ax.get_legend().get_patches()]
+    assert [f'fill="{colour}"' in svg for colour in patches] == [True, True]
+    numbers, colours, _, rings = starts.on_map()
+    # The cells of a kind have its colour in both: as many points of each.
+    assert sorted(colours[number] for number in set(numbers)) == sorted(patches)
+    assert all(f'fill="{colour}" stroke="#000000"' in svg for *_, colour in rings)
+    assert len(rings) == 2
 
 
 def test_r35_cells_are_around_their_values(starts):

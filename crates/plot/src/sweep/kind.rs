@@ -1,88 +1,78 @@
-//! Outcomes of a map: attractors, and others.
+//! Outcomes of a map, their colours and their legend: the same in every picture of a sweep.
 
-use std::f64::consts::TAU;
-use std::fmt::Write;
-
+use anyhow::Result;
+use impact_pair::json::SweepHead;
 use impact_pair::json::vocabulary::PointOutcome;
-use impact_pair::mapping::Word;
 use impact_pair::pair::Wall;
+use impact_pair::scene::Key;
+use impact_pair::sweep::{self, Kinds, OutcomeKind};
 use plotters::prelude::*;
 
-use super::{double, middle};
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
-use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
+use crate::records::Records;
 
-/// Greatest number of letters of a word in a legend.
-const MAX_LETTERS: usize = 10;
 /// Colours of the attractors with the most points.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
 /// Colour of the other attractors.
-pub const OTHER_COLOUR: RGBColor = GREY;
-pub const UNDECIDED_COLOUR: RGBColor = VERMILION;
+const OTHER_COLOUR: RGBColor = GREY;
+pub(super) const UNDECIDED_COLOUR: RGBColor = VERMILION;
 const SETTLED_COLOUR: RGBColor = YELLOW;
 
-/// An outcome of a map: an attractor, or another one.
-pub struct Kind {
-    pub outcome: PointOutcome,
-    pub period: Option<SweepPeriod>,
-    pub points: u64,
+/// The outcomes of all points.
+pub struct Outcomes {
+    kinds: Kinds,
+    /// A colour for each kind.
+    pub colours: Vec<RGBColor>,
+    /// The kind of each point; `None` for a missing point.
+    pub points: Vec<Option<usize>>,
+    /// Whether the map is over phase and velocity of a start on the left wall.
+    is_of_starts: bool,
 }
 
-impl Kind {
-    /// Whether a point has this outcome. Attractors of one pair are distinguished by their first impacts, of several pairs by their words.
-    pub fn is_of(&self, record: &SweepRecord, is_one_pair: bool) -> bool {
-        let alike = |a: &SweepPeriod, b: &SweepPeriod| {
-            let near = match (&a.first, &b.first) {
-                (Some(a), Some(b)) => overlap(&a.phase, &b.phase, TAU) && overlap(&a.velocity, &b.velocity, 0.0),
-                _ => true,
-            };
-            (a.impacts, a.cycles, &a.word) == (b.impacts, b.cycles, &b.word) && (near || !is_one_pair)
-        };
-        let same_period = match (&self.period, &record.period) {
-            (Some(a), Some(b)) => alike(a, b),
-            (None, None) => true,
-            _ => false,
-        };
-        self.outcome == record.outcome && same_period
+impl Outcomes {
+    /// The outcomes of a sweep over two keys; attractors of one pair are told apart, or, with `by_word`, only by their words.
+    ///
+    /// # Errors
+    /// Returns an error if the sweep cannot be read.
+    pub fn of(sweep: &mut impl Records<Head = SweepHead>, by_word: bool) -> Result<Self> {
+        let grid = sweep::grid(sweep.head())?;
+        let keys: Vec<Key> = grid.axes().iter().map(|axis| axis.key()).collect();
+        let is_one_pair = keys.iter().all(|key| *key >= Key::StartTime);
+        let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
+        let is_of_starts = keys == [Key::StartPhase, Key::StartVelocity] && starts_left;
+        let mut kinds = Kinds::new(is_one_pair && !by_word);
+        let mut points = vec![None; usize::try_from(grid.points())?];
+        sweep.each_record(|record| {
+            points[usize::try_from(record.point)?] = Some(kinds.add(&record));
+            Ok(())
+        })?;
+        let colours = colours(kinds.all());
+        Ok(Self { kinds, colours, points, is_of_starts: is_of_starts && !by_word })
     }
 
-    pub fn name(&self, is_one_pair: bool) -> String {
-        let word = |period: &SweepPeriod| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
-        let Some((period, word)) = self.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
-            return match self.outcome {
-                PointOutcome::Periodic => "exactly periodic through rest".to_owned(),
-                PointOutcome::UndecidedLimit => "undecided convergence".to_owned(),
-                other => other.to_string().replace('-', " "),
-            };
-        };
-        let lasting = match period.cycles {
-            Some(1) => "1 cycle".to_owned(),
-            Some(cycles) => format!("{cycles} cycles"),
-            None => "no whole cycles".to_owned(),
-        };
-        let letter = |wall| if wall == Wall::Left { 'L' } else { 'R' };
-        let mut walls: String =
-            word.mappings().iter().take(MAX_LETTERS).map(|mapping| letter(mapping.walls().0)).collect();
-        if word.mappings().len() > MAX_LETTERS {
-            let _ = write!(walls, "… ({} impacts)", word.mappings().len());
+    /// The legend, the most frequent outcome first.
+    pub fn legend(&self) -> Vec<(RGBColor, String)> {
+        let kinds = self.kinds.all();
+        let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| self.colours[i] != OTHER_COLOUR).collect();
+        order.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
+        let mut entries: Vec<(RGBColor, String)> =
+            order.into_iter().map(|i| (self.colours[i], self.kinds.name(&kinds[i]))).collect();
+        let others = self.colours.iter().filter(|colour| **colour == OTHER_COLOUR).count();
+        if others > 0 {
+            entries.push((OTHER_COLOUR, format!("{others} other periodic orbits")));
         }
-        let place = period.first.as_ref().filter(|_| is_one_pair).and_then(|first| middle(&first.phase).ok());
-        let place = place.map_or_else(String::new, |phase| format!(", L at {phase:.2} rad"));
-        format!("{walls} in {lasting}{place}")
+        entries
     }
-}
 
-/// Whether two pairs of bounds may hold numbers that are equal or differ by `period`; in doubles, as for labels.
-fn overlap(a: &ExtendedBounds, b: &ExtendedBounds, period: f64) -> bool {
-    let ends = |bounds: &ExtendedBounds| Some((double(&bounds[0]).ok()?, double(&bounds[1]).ok()?));
-    let Some(((a0, a1), (b0, b1))) = ends(a).zip(ends(b)) else { return false };
-    // Bound of the rounding errors of reading and shifting.
-    let slack = 4.0 * f64::EPSILON * (a1.abs() + b1.abs() + period);
-    [-period, 0.0, period].iter().any(|shift| a0 + shift <= b1 + slack && b0 <= a1 + shift + slack)
+    /// Where attractors hit the left wall first (phase, velocity), on a map of such starts, and their colours.
+    pub fn rings(&self) -> Vec<([f64; 2], RGBColor)> {
+        let placed = self.kinds.all().iter().zip(&self.colours).filter(|_| self.is_of_starts);
+        placed.filter_map(|(kind, colour)| Some((kind.place()?, *colour))).collect()
+    }
 }
 
 /// A colour for each kind.
-pub fn colours(kinds: &[Kind]) -> Vec<RGBColor> {
+fn colours(kinds: &[OutcomeKind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
     let colour = |i: usize| match (kinds[i].outcome, attractors.iter().position(|&j| j == i)) {

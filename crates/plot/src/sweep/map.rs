@@ -5,47 +5,20 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use impact_pair::json::SweepHead;
-use impact_pair::mapping::Word;
-use impact_pair::pair::Wall;
 use impact_pair::scene::{Key, Range};
 use impact_pair::sweep::Grid;
 use plotters::prelude::*;
 
-use super::kind::{Kind, OTHER_COLOUR, UNDECIDED_COLOUR, colours};
+use super::kind::{Outcomes, UNDECIDED_COLOUR};
 use super::legend::{self, described};
-use super::{Cells, Drawn, Plane, middle, value};
+use super::{Cells, Drawn, Plane, value};
 use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
 use crate::records::Records;
 
 /// Radius of the ring around an attractor.
 const RING_RADIUS: i32 = 6 * SCALE;
-
-/// The outcomes of all points.
-struct Outcomes {
-    kinds: Vec<Kind>,
-    /// The kind of each point; `None` for a missing point.
-    points: Vec<Option<usize>>,
-}
-
-impl Outcomes {
-    fn of(sweep: &mut impl Records<Head = SweepHead>, grid: &Grid, is_one_pair: bool) -> Drawn<Self> {
-        let mut kinds: Vec<Kind> = Vec::new();
-        let mut points = vec![None; usize::try_from(grid.points())?];
-        sweep.each_record(|mut record| {
-            // Exact periods through a rest are one kind.
-            record.period = record.period.filter(|period| period.word.is_some());
-            let found = kinds.iter().position(|kind| kind.is_of(&record, is_one_pair));
-            let number = found.unwrap_or_else(|| {
-                kinds.push(Kind { outcome: record.outcome, period: record.period.clone(), points: 0 });
-                kinds.len() - 1
-            });
-            kinds[number].points += 1;
-            points[usize::try_from(record.point)?] = Some(number);
-            Ok(())
-        })?;
-        Ok(Self { kinds, points })
-    }
-}
+/// The name of a ring in the legend.
+const RING_NAME: &str = "an attractor, where it hits the left wall";
 
 /// Draws axes and text, and returns the data as SVG.
 pub fn draw(
@@ -54,41 +27,24 @@ pub fn draw(
     (root, look): (&Canvas<'_>, &Look),
 ) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
-    let is_one_pair = [x, y].iter().all(|axis| axis.key() >= Key::StartTime);
-    let outcomes = Outcomes::of(sweep, grid, is_one_pair)?;
-    let colours = colours(&outcomes.kinds);
+    let outcomes = Outcomes::of(sweep, false)?;
     let top = legend::caption(sweep.head(), (root, look))?;
-    let is_plane_of_starts = [x.key(), y.key()] == [Key::StartPhase, Key::StartVelocity];
-    let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
-    let mut entries = entries(&outcomes.kinds, &colours, is_one_pair);
-    let attractors: Vec<_> =
-        if is_plane_of_starts && starts_left { attractors(&outcomes.kinds, &colours) } else { Vec::new() };
-    if !attractors.is_empty() {
-        entries.push((Mark::Ring, "an attractor, where it hits the left wall".to_owned()));
-    }
+    let legend = outcomes.legend().into_iter().map(|(colour, name)| (Mark::Cell(colour), name));
+    let rings = outcomes.rings();
+    let ring_entry = (!rings.is_empty()).then(|| (Mark::Ring, RING_NAME.to_owned()));
+    let entries: Vec<_> = legend.chain(ring_entry).collect();
     let lines = picture::legend(root, top, &entries)?;
     let (_, area) = root.split_vertically(top + lines + 10 * SCALE);
     let plane = Plane::draw(&area, [scale(x), scale(y)], [&described(x.key()), &described(y.key())])?;
     let colour = |point: u64| {
         let kind = outcomes.points.get(point as usize).copied().flatten()?;
-        Some(colours[kind])
+        Some(outcomes.colours[kind])
     };
-    let rings: String = attractors
+    let rings: String = rings
         .into_iter()
-        .map(|(phase, velocity, colour)| ring((plane.column(phase), plane.row(velocity)), colour))
+        .map(|([phase, velocity], colour)| ring((plane.column(phase), plane.row(velocity)), colour))
         .collect();
     Ok(cells(&plane, x.points(), y.points(), colour) + &rings)
-}
-
-/// The known first impacts of attractors on the left wall (phase, velocity), and their colours.
-fn attractors(kinds: &[Kind], colours: &[RGBColor]) -> Vec<(f64, f64, RGBColor)> {
-    let place = |(kind, colour): (&Kind, &RGBColor)| {
-        let period = kind.period.as_ref()?;
-        let word: Word = period.word.as_deref()?.parse().ok()?;
-        let first = period.first.as_ref().filter(|_| word.mappings()[0].walls().0 == Wall::Left)?;
-        Some((middle(&first.phase).ok()?, middle(&first.velocity).ok()?, *colour))
-    };
-    kinds.iter().zip(colours).filter_map(place).collect()
 }
 
 /// A ring visible on every colour, filled with the colour of its basin.
@@ -134,17 +90,4 @@ fn cells(plane: &Plane, columns: u64, rows: u64, colour: impl Fn(u64) -> Option<
     // Undecided cells differ not by colour alone.
     let _ = writeln!(drawn, "<path stroke=\"#FFFFFF\" stroke-width=\"{}\" d=\"{strokes}\"/>", SCALE / 2);
     drawn
-}
-
-/// The legend, the most frequent outcome first.
-fn entries(kinds: &[Kind], colours: &[RGBColor], is_one_pair: bool) -> Vec<(Mark, String)> {
-    let mut order: Vec<usize> = (0..kinds.len()).filter(|&i| colours[i] != OTHER_COLOUR).collect();
-    order.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
-    let mut entries: Vec<(Mark, String)> =
-        order.into_iter().map(|i| (Mark::Cell(colours[i]), kinds[i].name(is_one_pair))).collect();
-    let others = colours.iter().filter(|colour| **colour == OTHER_COLOUR).count();
-    if others > 0 {
-        entries.push((Mark::Cell(OTHER_COLOUR), format!("{others} other periodic orbits")));
-    }
-    entries
 }

@@ -18,6 +18,7 @@ use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 
 pub(crate) use self::cells::Cells;
+pub use self::kind::Outcomes;
 pub(crate) use self::legend::described;
 use crate::picture::{self, Axis, Canvas, Element, FONT, Look, SCALE};
 use crate::records::Records;
