@@ -3,7 +3,8 @@
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 use impact_pair_answers::{
-    AuditOptions, BifurcationOptions, DescribeOptions, PeriodicOptions, TradeOptions, TwoImpactOptions,
+    AuditOptions, BifurcationOptions, ChaosOptions, CyclesOptions, DescribeOptions, GlobalOptions, PeriodicOptions,
+    TangencyOptions, TradeOptions, TrapOptions, TwoImpactOptions, WindowsOptions,
 };
 
 use crate::atlas::arguments as atlas;
@@ -54,25 +55,25 @@ pub enum Verb {
     Bifurcations(Arguments<BifurcationOptions, Destination>),
     /// Prove a trapping region of a scene: no sticking, no complete chatter, bounds for all time
     #[command(after_help = EXIT_CODES, after_long_help = trap::HELP)]
-    Trap(trap::TrapArguments),
+    Trap(Arguments<TrapOptions, Drawing>),
     /// Prove chaos: a horseshoe by covering relations, and a lower bound of the topological entropy
     #[command(after_help = EXIT_CODES, after_long_help = chaos::HELP)]
-    Chaos(chaos::ChaosArguments),
+    Chaos(Arguments<ChaosOptions, Drawing>),
     /// Find all periodic orbits with N impacts in a trapping region, and whether one attracts
     #[command(after_help = EXIT_CODES, after_long_help = cycles::HELP)]
-    Cycles(cycles::CyclesArguments),
+    Cycles(Arguments<CyclesOptions, Destination>),
     /// Find stable periodic orbits near a scene over a parameter, and prove each with its window: both ends, and the orbits between
     #[command(after_help = EXIT_CODES, after_long_help = windows::HELP)]
-    Windows(windows::WindowsArguments),
+    Windows(Arguments<WindowsOptions, Drawing>),
     /// Prove where every motion goes, for every start: cycles with rests, attracting periodic orbits, saddles
     #[command(after_help = EXIT_CODES, after_long_help = global::HELP)]
-    Global(global::GlobalArguments),
+    Global(Arguments<GlobalOptions, Drawing>),
     /// Prove where every motion goes over two parameters, at the points of a grid or for all parameters of cells
     #[command(after_help = atlas::EXIT_CODES, after_long_help = atlas::HELP)]
     Atlas(atlas::AtlasArguments),
     /// Prove homoclinic tangencies of the equispaced motion over a parameter
     #[command(after_help = EXIT_CODES, after_long_help = tangency::HELP)]
-    Tangency(tangency::TangencyArguments),
+    Tangency(Arguments<TangencyOptions, Drawing>),
     /// Prove every claim of a JSON document again, by an independent method, from its own numbers
     #[command(after_help = check::EXIT_CODES, after_long_help = check::HELP)]
     Check(check::CheckArguments),

@@ -67,18 +67,6 @@ pub struct Drawing {
     pub destination: Destination,
 }
 
-impl Drawing {
-    /// As [`Destination::format`].
-    pub fn format<F: ValueEnum + Default>(&self, given: Option<F>) -> Result<F> {
-        self.destination.format(given)
-    }
-
-    /// As [`Destination::begin`], with the picture if one is requested.
-    pub fn begin<'a>(&self, path: &'a PathBuf) -> Result<OpenOutput<'a>> {
-        self.destination.begin(path, self.plot.as_deref().map(|path| (path, &self.look)))
-    }
-}
-
 /// A verb that has begun.
 pub struct OpenOutput<'a> {
     /// The scene that the verb reads.
@@ -97,18 +85,14 @@ pub struct Files {
 }
 
 impl Files {
-    /// Writes an answer, all of it; what it leaves open is said on stderr as well, unless it stands in a table on stdout.
-    pub fn answer(self, text: &str, open: Option<String>, is_table: bool) -> Result<Answer> {
-        self.out.answer(text, open, (self.quiet, is_table))
-    }
-
-    /// Writes an answer, and the picture if one is requested.
+    /// Writes an answer, and the picture if one is requested and there is something to draw. What the answer leaves open is said on stderr
+    /// as well, unless it `is_said` in the text and that goes to stdout.
     pub fn draw(
         self,
-        (text, open, is_table): (&str, Option<String>, bool),
+        (text, open, is_said): (&str, Option<String>, bool),
         svg: impl FnOnce() -> Option<Result<String>>,
     ) -> Result<Answer> {
-        let answer = self.out.answer(text, open, (self.quiet, is_table))?;
+        let answer = self.out.answer(text, open, (self.quiet, is_said))?;
         if let Some((picture, path, look)) = self.picture
             && let Some(svg) = svg()
         {

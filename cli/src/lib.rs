@@ -13,7 +13,6 @@ mod describe;
 mod destination;
 mod ending;
 mod global;
-mod graph;
 mod grid;
 mod listing;
 mod man;
@@ -69,13 +68,13 @@ pub fn main() -> ExitCode {
         Verb::Describe(arguments) => verb::answer(arguments),
         Verb::Periodic(arguments) => verb::answer(arguments),
         Verb::Bifurcations(arguments) => verb::answer(arguments),
-        Verb::Trap(arguments) => trap::trap(&arguments),
-        Verb::Chaos(arguments) => chaos::chaos(&arguments),
-        Verb::Cycles(arguments) => cycles::cycles(&arguments),
-        Verb::Windows(arguments) => windows::windows(&arguments),
-        Verb::Global(arguments) => global::global(&arguments),
+        Verb::Trap(arguments) => verb::answer(arguments),
+        Verb::Chaos(arguments) => verb::answer(arguments),
+        Verb::Cycles(arguments) => verb::answer(arguments),
+        Verb::Windows(arguments) => verb::answer(arguments),
+        Verb::Global(arguments) => verb::answer(arguments),
         Verb::Atlas(arguments) => atlas::atlas(&arguments),
-        Verb::Tangency(arguments) => tangency::tangency(&arguments),
+        Verb::Tangency(arguments) => verb::answer(arguments),
         Verb::Check(arguments) => check::check(&arguments),
         Verb::Prove(arguments) => prove::prove(&arguments),
         Verb::Plot(arguments) => plot::plot(&arguments),

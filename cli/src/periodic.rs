@@ -15,15 +15,3 @@ force sets in; for e = 0 each follows from a release, and run proves it from the
 
 Exit code: 0 everything requested is certified; 1 some of it is not: no orbit was found, or part of one is undecided \
 or wider than --digits (the output still has the certified part); 2 usage, bad input, I/O.";
-
-use clap::ValueEnum;
-
-/// Output formats of periodic orbits and bifurcations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum PeriodicFormat {
-    /// Human-readable: the certain digits, then the last digits of both bounds
-    #[default]
-    Table,
-    /// One document of the schema named above
-    Json,
-}

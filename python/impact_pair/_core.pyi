@@ -15,22 +15,15 @@ __all__ = [
     "answer",
     "box_map",
     "bracket",
-    "chaos",
-    "chaos_cells",
     "check",
-    "cycles",
     "description_lines",
     "flights",
-    "global_analysis",
     "outward",
     "paper",
     "plot",
     "prove",
     "read_orbit",
     "run",
-    "tangency",
-    "trap",
-    "windows",
 ]
 __version__: str
 PROGRAM: str
@@ -103,25 +96,8 @@ def bracket(lower: str, upper: str) -> str: ...
 def plot(scene: Scene, panels: str, cycles: tuple[int, int], requested: _Requested, progress: _Progress) -> tuple[str, bool, bool, str]: ...
 def answer(
     scene: Scene, name: str, question: tuple[str, str], picture: bool, progress: _Progress
-) -> tuple[str, bool, bool, str | None, str]: ...
-def trap(scene: Scene, question: tuple[str, int | None, bool], progress: _Progress) -> tuple[str | None, bool, bool, str | None]: ...
-def cycles(scene: Scene, impacts: tuple[int, int], question: tuple[str, int | None], progress: _Progress) -> tuple[str, bool, bool]: ...
-def tangency(
-    scene: Scene, over: str, question: tuple[str | None, int, int, str], requested: tuple[int | None, int], progress: _Progress
-) -> tuple[str, bool, bool]: ...
-def windows(
-    scene: Scene, over: str, question: tuple[int, str, int, int], requested: tuple[int | None, int], progress: _Progress
-) -> tuple[str, bool, bool]: ...
-def global_analysis(
-    scene: Scene, question: tuple[str, bool, int | None], digits: int | None, progress: _Progress
-) -> tuple[str, bool, bool]: ...
+) -> tuple[str | None, bool, bool, str | None, str]: ...
 def description_lines(document: str) -> list[tuple[str, str]]: ...
-def chaos(
-    scene: Scene, question: tuple[int | None, str, str | None, str | None, bool, bool], picture: bool, progress: _Progress
-) -> tuple[str, bool, bool, str | None]: ...
-def chaos_cells(
-    scene: Scene, over: tuple[str, int], question: tuple[str, int], picture: bool, progress: _Progress
-) -> tuple[str, bool, bool, str | None]: ...
 def check(
     text: str,
     effort: str,

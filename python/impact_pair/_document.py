@@ -20,9 +20,10 @@ class Document:
     """An answer: the document that the command line writes with ``--format json``, and whether it is complete."""
 
     def __init__(
-        self, text: str, complete: bool | None = None, interrupted: bool = False, svg: str | None = None, status: str | None = None
+        self, text: str | None, complete: bool | None = None, interrupted: bool = False, svg: str | None = None, status: str | None = None
     ) -> None:
-        self._text = text
+        # Without a document nothing is proved.
+        self._text = json.dumps({"certified": False, "message": status}) if text is None else text
         self._status = status
         self._complete = complete
         self._interrupted = interrupted

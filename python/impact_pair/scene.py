@@ -498,12 +498,9 @@ class Scene:
 
         ``effort`` multiplies the work, for narrower bounds: 2, 4, .., 64 bisect the boxes once, twice, .., 6 times.
         """
-        question = (text("effort", effort), optional_whole("words", words), picture)
-        with reporting(progress, "boxes") as report:
-            document, complete, interrupted, said = _core.trap(self._core, question, report)
-        if document is None:
-            return kept(answers.Trap(json.dumps({"certified": False, "message": said}), complete, interrupted), keep_partial)
-        return kept(answers.Trap(document, complete, interrupted, said), keep_partial)
+        options = {"effort": text("effort", effort), "words": optional_whole("words", words)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Trap, "trap", options, "boxes", **how)
 
     def cycles(
         self,
@@ -515,10 +512,9 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Cycles:
         """Prove all periodic orbits in the region of ``trap`` with this ``effort``, of a number of impacts or a range of numbers."""
-        ends = both_ends("impacts", impacts)
-        question = (text("effort", effort), optional_whole("digits", digits))
-        with reporting(progress, "impacts", ends[1]) as report:
-            return kept(answers.Cycles(*_core.cycles(self._core, ends, question, report)), keep_partial)
+        low, high = both_ends("impacts", impacts)
+        options = {"impacts": f"{low}..{high}", "effort": text("effort", effort), "digits": optional_whole("digits", digits)}
+        return self._answer(answers.Cycles, "cycles", options, "impacts", high, progress=progress, keep_partial=keep_partial)
 
     def windows(
         self,
@@ -538,10 +534,10 @@ class Scene:
         ``impacts`` of floating-point orbits, times ``effort``, are searched for orbits of at most ``longest`` impacts of the reduced map;
         the ``most`` windows that are nearest to the scene's own value are proved.
         """
-        question = (whole("impacts", impacts), text("effort", effort), whole("longest", longest), whole("most", most))
-        requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
-        with reporting(progress, "impacts", impacts if effort == 1 else None) as report:
-            return kept(answers.Windows(*_core.windows(self._core, ranged(over), question, requested, report)), keep_partial)
+        options: dict[str, Any] = {"over": ranged(over), "impacts": whole("impacts", impacts), "longest": whole("longest", longest)}
+        options |= {"effort": text("effort", effort), "most": whole("most", most)} | narrow(digits, max_bits)
+        how: dict[str, Any] = {"progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Windows, "windows", options, "impacts", impacts if effort == 1 else None, **how)
 
     def global_analysis(
         self,
@@ -558,11 +554,9 @@ class Scene:
         ``effort`` multiplies the work: about 300,000 boxes in all, and 65,536 for ``basins``, which are those of attraction. With
         ``horseshoes`` undecided components, the four largest ones, are searched for horseshoes of words of at most that many impacts.
         """
-        question = (text("effort", effort), basins, optional_whole("horseshoes", horseshoes))
-        with reporting(progress, "boxes") as report:
-            return kept(
-                answers.GlobalAnalysis(*_core.global_analysis(self._core, question, optional_whole("digits", digits), report)), keep_partial
-            )
+        options: dict[str, Any] = {"effort": text("effort", effort), "basins": bool(basins)}
+        options |= {"horseshoes": optional_whole("horseshoes", horseshoes), "digits": optional_whole("digits", digits)}
+        return self._answer(answers.GlobalAnalysis, "global", options, "boxes", progress=progress, keep_partial=keep_partial)
 
     def tangency(
         self,
@@ -584,11 +578,10 @@ class Scene:
         proved. ``effort`` multiplies the work without ``word``: about 30 million flights in floating point for each saddle, and as much
         again to follow folds, 10,000 flights each.
         """
-        along = None if word is None else string("word", word)
-        question = (along, whole("longest", longest), whole("most", most), text("effort", effort))
-        requested = (optional_whole("digits", digits), whole("max_bits", max_bits))
-        with reporting(progress, "impacts", None) as report:
-            return kept(answers.Tangencies(*_core.tangency(self._core, ranged(over), question, requested, report)), keep_partial)
+        options: dict[str, Any] = {"over": ranged(over), "word": None if word is None else string("word", word)}
+        options |= {"longest": whole("longest", longest), "most": whole("most", most), "effort": text("effort", effort)}
+        options |= narrow(digits, max_bits)
+        return self._answer(answers.Tangencies, "tangency", options, "impacts", progress=progress, keep_partial=keep_partial)
 
     def chaos(
         self,
@@ -609,11 +602,11 @@ class Scene:
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
         document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it.
         """
-        begun = None if bases is None else json.dumps(bases)
-        ranges = None if over is None else ranged(over)
-        question = (optional_whole("depth", depth), text("effort", effort), ranges, begun, hyperbolic, no_orbit)
-        with reporting(progress, "boxes") as report:
-            return kept(answers.Chaos(*_core.chaos(self._core, question, picture, report)), keep_partial)
+        options: dict[str, Any] = {"depth": optional_whole("depth", depth), "effort": text("effort", effort)}
+        options |= {"over": None if over is None else ranged(over), "bases": None if bases is None else {"bases": bases}}
+        options |= {"hyperbolic": bool(hyperbolic), "no_orbit": bool(no_orbit)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.Chaos, "chaos", options, "boxes", **how)
 
     def chaos_cells(
         self,
@@ -631,10 +624,9 @@ class Scene:
         doubles.
         """
         key, (low, high, count) = grid(over, '{"amplitude": (1, 10, 40)}')
-        question = (f"{key}={low}..{high}", count)
-        how = (text("effort", effort), whole("depth", depth))
-        with reporting(progress, "cells", count) as report:
-            return kept(answers.ChaosCells(*_core.chaos_cells(self._core, question, how, picture, report)), keep_partial)
+        options = {"over": f"{key}={low}..{high}:{count}", "effort": text("effort", effort), "depth": whole("depth", depth)}
+        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
+        return self._answer(answers.ChaosCells, "chaos", options, "cells", count, **how)
 
     def trade(
         self,

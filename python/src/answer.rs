@@ -1,9 +1,10 @@
 //! Verbs that answer with one document: a question in JSON in, the document and what is left undecided out.
 
-use impact_pair::watch::Watch;
+use impact_pair::watch::{Stage, Watch};
 use impact_pair_answers::{
-    Answer, Asked, AuditOptions, BifurcationOptions, DescribeOptions, Format, PeriodicOptions, TradeOptions,
-    TwoImpactOptions, Verb, read_options,
+    Answer, Asked, AuditOptions, BifurcationOptions, ChaosOptions, CyclesOptions, DescribeOptions, Format,
+    GlobalOptions, PeriodicOptions, TangencyOptions, TradeOptions, TrapOptions, TwoImpactOptions, Verb, WindowsOptions,
+    read_options,
 };
 use impact_pair_plot::Pictured;
 use impact_pair_plot::picture::Look;
@@ -22,13 +23,19 @@ type Answered = (Option<String>, bool, bool, Option<String>, String);
 type Ask = fn(&Asked<'_>, &Map<String, Value>, &dyn Watch) -> Result<Found, Fault>;
 
 /// The verbs.
-const VERBS: [(&str, Ask); 6] = [
+const VERBS: [(&str, Ask); 12] = [
     (PeriodicOptions::NAME, ask::<PeriodicOptions>),
     (BifurcationOptions::NAME, ask::<BifurcationOptions>),
     (TwoImpactOptions::NAME, ask::<TwoImpactOptions>),
     (DescribeOptions::NAME, ask::<DescribeOptions>),
     (TradeOptions::NAME, ask::<TradeOptions>),
     (AuditOptions::NAME, ask::<AuditOptions>),
+    (TrapOptions::NAME, ask::<TrapOptions>),
+    (ChaosOptions::NAME, ask::<ChaosOptions>),
+    (CyclesOptions::NAME, cycles),
+    (WindowsOptions::NAME, ask::<WindowsOptions>),
+    (GlobalOptions::NAME, ask::<GlobalOptions>),
+    (TangencyOptions::NAME, ask::<TangencyOptions>),
 ];
 
 fn ask<V: Verb>(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault>
@@ -40,6 +47,15 @@ where
     let svg = if asked.is_drawn { found.svg(&Look::default()).transpose().map_err(Fault::other)? } else { None };
     let status = found.status();
     Ok((document, status.is_complete(), svg, status.in_python()))
+}
+
+/// Answers `cycles`, whose progress counts impacts: not the boxes of the region.
+fn cycles(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault> {
+    let counted = |at: Stage<'_>| match at {
+        Stage::Region(_) => watch.proceed(Stage::Working),
+        at => watch.proceed(at),
+    };
+    ask::<CyclesOptions>(asked, options, &counted)
 }
 
 /// Answers a verb with options as JSON; commands name the scene by a path.

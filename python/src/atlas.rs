@@ -1,7 +1,7 @@
 //! Atlases: points and tiles are pure functions of the exact scene and their number.
 
 use impact_pair::atlas::{self, Plane, columns, csv_head, csv_rows};
-use impact_pair::chaos::{Global, GlobalSettings};
+use impact_pair::chaos::{Global, GlobalSettings, MOST_DEPTH};
 use impact_pair::json::{AtlasHead, AtlasRecord};
 use impact_pair::scene::DIGITS;
 use impact_pair::watch::Silent;
@@ -10,14 +10,18 @@ use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::chaos::{depth, effort_of};
-use crate::errors::{Fault, accepted};
+use crate::errors::{Fault, accepted, effort_of};
 use crate::grid::{computed, dictionary};
 use crate::lines::{Lines, records};
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
 use crate::sweep::{named, ranged};
 use crate::watched::{Monitor, watched_whole};
+
+/// The most impacts of words of horseshoes, if these are looked for in components.
+fn depth(horseshoes: Option<u32>) -> Result<Option<usize>, Fault> {
+    Ok(horseshoes.map(|depth| accepted("horseshoes", depth, 1..=MOST_DEPTH)).transpose()?.map(|depth| depth as usize))
+}
 
 /// An atlas over the plane of two parameters, and the settings of its points or cells.
 #[pyclass(frozen, module = "impact_pair._core")]

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-use impact_pair::{Error, ErrorKind};
+use impact_pair::{Effort, Error, ErrorKind};
 use impact_pair_answers::Failure;
 use pyo3::prelude::*;
 
@@ -86,6 +86,11 @@ pub fn accepted<T: PartialOrd + Display>(key: &str, value: T, range: RangeInclus
         return Ok(value);
     }
     Err(Fault::range(key, value, &format!("must be from {} to {}", range.start(), range.end())))
+}
+
+/// The multiple of the usual work that is given as text.
+pub fn effort_of(text: &str) -> Result<Effort, Fault> {
+    text.parse().map_err(|error| Fault::keyed(error, "effort", text))
 }
 
 impl From<Fault> for PyErr {

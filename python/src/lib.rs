@@ -5,7 +5,6 @@
 mod answer;
 mod atlas;
 mod box_map;
-mod chaos;
 mod describe;
 mod errors;
 mod flights;
@@ -30,8 +29,6 @@ mod _core {
     use super::atlas::Atlas;
     #[pymodule_export]
     use super::box_map::box_map;
-    #[pymodule_export]
-    use super::chaos::{chaos, chaos_cells, cycles, global_analysis, tangency, trap, windows};
     #[pymodule_export]
     use super::describe::description_lines;
     #[pymodule_export]

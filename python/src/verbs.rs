@@ -1,33 +1,10 @@
-//! The other verbs: each answers with its document as JSON and whether everything requested is certified.
+//! Documents that are checked, and written as theorems.
 
-use impact_pair::orbit::{BITS, Settings};
-use impact_pair::periodic::Precision;
-use impact_pair::scene::DIGITS;
 use impact_pair_certificate::{Certificate, Claims, Verdict};
 use pyo3::prelude::*;
 
-use crate::chaos::effort_of;
-use crate::errors::{Fault, accepted};
+use crate::errors::{Fault, effort_of};
 use crate::watched::watched;
-
-/// A document as JSON, whether everything requested is certified, and whether Ctrl-C ended the computation.
-pub type Answer = (String, bool, bool);
-/// The same with a picture as SVG, if requested.
-pub type Drawn = (String, bool, bool, Option<String>);
-
-pub fn text(document: &impl serde::Serialize) -> String {
-    serde_json::to_string(document).expect("plain data")
-}
-
-/// The requested digits, or else the scene's, or else the default.
-pub fn digits(requested: Option<u32>, scene: &impact_pair::Scene) -> Result<u32, Fault> {
-    let requested = requested.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
-    Ok(requested.or(scene.run().digits).unwrap_or(Settings::default().digits))
-}
-
-pub fn precision((requested, max_bits): (Option<u32>, u32), scene: &impact_pair::Scene) -> Result<Precision, Fault> {
-    Ok(Precision { digits: digits(requested, scene)?, max_bits: accepted("max_bits", max_bits, BITS)? })
-}
 
 /// A claim, its verdict, and at the deciding claim the reason.
 type JudgedClaim = (String, &'static str, Option<String>);

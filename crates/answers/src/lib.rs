@@ -21,16 +21,23 @@
 
 mod audit;
 mod bifurcations;
+mod chaos;
+mod cycles;
 mod describe;
 mod failure;
+mod global;
+mod graph;
 mod heading;
 mod input;
 mod periodic;
 mod question;
 mod status;
+mod tangency;
 mod trade;
+mod trap;
 mod two_impact;
 pub mod values;
+mod windows;
 
 use anyhow::Result;
 use clap::ValueEnum;
@@ -39,15 +46,21 @@ use impact_pair::watch::Watch;
 
 pub use audit::{AuditOptions, Audited};
 pub use bifurcations::{BifurcationOptions, Bifurcations};
+pub use chaos::{ChaosOptions, Chaotic};
+pub use cycles::{AllCycles, CyclesOptions};
 pub use describe::{DescribeOptions, Described};
 pub use failure::Failure;
+pub use global::{Analysis, GlobalOptions};
 pub use heading::{heading, pair_heading};
 pub use input::Input;
 pub use periodic::{Periodic, PeriodicOptions, physical, symmetric};
 pub use question::{Question, read_options};
 pub use status::{Status, Step};
+pub use tangency::{HomoclinicTangencies, TangencyOptions};
 pub use trade::TradeOptions;
+pub use trap::{TrapOptions, Trapped};
 pub use two_impact::{TwoImpact, TwoImpactOptions};
+pub use windows::{StableWindows, WindowsOptions};
 
 /// Options of a verb, which are its arguments on the command line and the keys of `options` in a [`Question`].
 pub trait Verb: clap::Args {

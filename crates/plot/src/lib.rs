@@ -48,7 +48,10 @@ pub mod windows;
 
 use anyhow::Result;
 use impact_pair::trade::Trade;
-use impact_pair_answers::{Answer, Audited, Bifurcations, Described, Periodic};
+use impact_pair_answers::{
+    AllCycles, Analysis, Answer, Audited, Bifurcations, Chaotic, Described, HomoclinicTangencies, Periodic,
+    StableWindows, Trapped,
+};
 
 use picture::Look;
 
@@ -68,6 +71,43 @@ impl Pictured for Periodic<'_> {}
 impl Pictured for Bifurcations<'_> {}
 
 impl Pictured for Audited<'_> {}
+
+impl Pictured for AllCycles<'_> {}
+
+impl Pictured for Trapped<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        self.region.as_ref().ok().map(|region| chaos::trap(self.scene, &region.trap, look))
+    }
+}
+
+impl Pictured for Chaotic<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(match self {
+            Self::Horseshoe { scene, over, found, set, .. } => {
+                chaos::chaos(scene, over.as_ref(), (found, set.as_ref()), look)
+            }
+            Self::Cells { scene, requested, found, .. } => proved::cells(scene, requested, found, look),
+        })
+    }
+}
+
+impl Pictured for StableWindows<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(windows::windows(self.scene, &self.found, look))
+    }
+}
+
+impl Pictured for Analysis<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(global::global(self.scene, &self.found, &self.document, look))
+    }
+}
+
+impl Pictured for HomoclinicTangencies<'_> {
+    fn svg(&self, look: &Look) -> Option<Result<String>> {
+        Some(tangency::tangency(self.scene, &self.found, look))
+    }
+}
 
 impl Pictured for Described<'_> {
     fn svg(&self, look: &Look) -> Option<Result<String>> {

@@ -39,7 +39,7 @@ class Trap(Document):
 
     def __repr__(self) -> str:
         if not self.certified:
-            return f"undecided: no region is proved; {self.document['message']}"
+            return str(self.document["message"])
         return f"<region of {self.boxes} boxes, entered at impact {self.entered_at_impact}>"
 
 

@@ -8,6 +8,8 @@ use impact_pair::json::counted;
 use impact_pair::json::{ChaosCellsDocument, ChaosDocument, HyperbolicDocument, RatesDocument, SharesDocument};
 use impact_pair::pair::Wall;
 
+use crate::{Status, Step};
+
 /// One horseshoe, for one pair or all of a range.
 pub fn horseshoe(document: &ChaosDocument, found: &Chaos) -> Result<String, fmt::Error> {
     let mut out = String::new();
@@ -115,26 +117,28 @@ fn asymptotics(document: &ChaosDocument) -> Vec<String> {
 }
 
 /// The last line.
-pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> String {
+pub fn conclusion(document: &ChaosDocument, found: &Chaos) -> Status {
     let stopped = if document.interrupted { "interrupted: " } else { "" };
+    let is_complete = document.certified && !document.interrupted && document.hyperbolic != Some(None);
+    let status = |words: String| Status::new(is_complete, words);
     if document.certified {
         let [impact, cycle] = [&document.entropy.per_impact, &document.entropy.per_cycle].map(|entropy| entropy.text());
-        return format!(
+        return status(format!(
             "{stopped}certified: the impact map holds a horseshoe; its topological entropy is at least {impact} per impact, {cycle} per forcing period"
-        );
+        ));
     }
     let is_searched = !document.interrupted && found.bases().is_empty();
     if is_searched && document.exponent_seen.is_some_and(|exponent| exponent < 1e-3) {
-        return "undecided: the floating-point orbit is regular, and its transients show no horseshoe; there may be one"
-            .to_owned();
+        let regular = "the floating-point orbit is regular, and its transients show no horseshoe; there may be one";
+        return status(format!("undecided: {regular}"));
     }
-    let hint = match (document.interrupted, document.over.is_some()) {
+    let status = status(format!("{stopped}undecided: no horseshoe is proved"));
+    match (document.interrupted, document.over.is_some()) {
         // It was not the settings that ended the search.
-        (true, _) => "",
-        (false, true) => "; try a narrower --over",
-        (false, false) => "; try more --depth",
-    };
-    format!("{stopped}undecided: no horseshoe is proved{hint}")
+        (true, _) => status,
+        (false, true) => status.say("; try ").step(Step::Narrower("over")),
+        (false, false) => status.say("; try ").step(Step::More("depth")),
+    }
 }
 
 /// The stretches of a range, a line each.

@@ -4,6 +4,8 @@ use std::fmt::{self, Display, Write};
 
 use impact_pair::json::PROGRAM;
 
+use crate::Format;
+
 /// A node.
 pub enum Value {
     Number(i64),
@@ -23,8 +25,13 @@ pub struct Graph<'g> {
 }
 
 impl Graph<'_> {
+    /// The graph in a format: GraphML, or the language of Graphviz.
+    pub fn text(self, format: Format) -> Result<String, fmt::Error> {
+        if format == Format::Dot { self.dot() } else { self.graphml() }
+    }
+
     /// Returns it as GraphML.
-    pub fn graphml(self) -> Result<String, fmt::Error> {
+    fn graphml(self) -> Result<String, fmt::Error> {
         let title = escaped(&self.title);
         let mut out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
                        <graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
@@ -62,7 +69,7 @@ impl Graph<'_> {
     }
 
     /// Returns it in the language of Graphviz.
-    pub fn dot(self) -> Result<String, fmt::Error> {
+    fn dot(self) -> Result<String, fmt::Error> {
         let mut out = String::new();
         writeln!(out, "digraph {{\n  label=\"{}; {PROGRAM}\";", self.title.replace(['"', '\\'], "'"))?;
         for (i, values) in self.nodes.iter().enumerate() {
