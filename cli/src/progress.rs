@@ -22,55 +22,33 @@ pub struct Progress(Option<ProgressBar>);
 impl Progress {
     /// Counts up to `impacts`, if that is known; draws only on a terminal, and only when `is_shown`.
     pub fn new(impacts: Option<u64>, is_shown: bool) -> Self {
+        Self::counting(Counts::Impacts(impacts), is_shown)
+    }
+
+    /// Counts what a verb counts; without a count shows what is done and for how long, not before a second has passed.
+    pub fn counting(what: Counts, is_shown: bool) -> Self {
         if !is_shown {
             return Self(None);
         }
-        let template = if impacts.is_some() {
-            "{prefix}{bar:30} {pos}/{len} impacts, {eta} left{msg}"
-        } else {
-            "{prefix}{pos} impacts{msg}"
-        };
-        Self::drawn(impacts, template)
-    }
-
-    /// Counts what a verb counts.
-    pub fn counting(what: Counts, is_shown: bool) -> Self {
         match what {
-            Counts::Stages => Self::stages(is_shown),
-            Counts::Cells => Self::search(is_shown),
-            Counts::Parameters(cells) => Self::cells(cells, is_shown),
-            Counts::Impacts(impacts) => Self::new(impacts, is_shown),
-            Counts::Nothing(what) => Self::of(what, is_shown),
+            Counts::Stages => Self::drawn(None, "{prefix}{pos}").named(|bar| bar.set_prefix("orbit, impacts: ")),
+            Counts::Cells => Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space"),
+            Counts::Parameters(cells) => Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}"),
+            Counts::Impacts(None) => Self::drawn(None, "{prefix}{pos} impacts{msg}"),
+            Counts::Impacts(impacts) => Self::drawn(impacts, "{prefix}{bar:30} {pos}/{len} impacts, {eta} left{msg}"),
+            Counts::Nothing(what) => Self::drawn(None, "{msg}, {elapsed}").named(|bar| {
+                bar.set_message(what);
+                bar.enable_steady_tick(Duration::from_secs(1));
+            }),
         }
     }
 
-    /// Counts the cells of a search.
-    fn search(is_shown: bool) -> Self {
-        if is_shown { Self::drawn(Some(0), "{bar:30} {pos}/{len} cells of the state space") } else { Self(None) }
-    }
-
-    /// Shows what is done and for how long, where nothing can be counted; not before a second has passed.
-    pub fn of(what: &'static str, is_shown: bool) -> Self {
-        let progress = if is_shown { Self::drawn(None, "{msg}, {elapsed}") } else { Self(None) };
-        if let Some(bar) = &progress.0 {
-            bar.set_message(what);
-            bar.enable_steady_tick(Duration::from_secs(1));
+    /// The line with its words.
+    fn named(self, name: impl FnOnce(&ProgressBar)) -> Self {
+        if let Some(bar) = &self.0 {
+            name(bar);
         }
-        progress
-    }
-
-    /// Counts what each stage counts, impacts at first.
-    pub fn stages(is_shown: bool) -> Self {
-        let progress = if is_shown { Self::drawn(None, "{prefix}{pos}") } else { Self(None) };
-        if let Some(bar) = &progress.0 {
-            bar.set_prefix("orbit, impacts: ");
-        }
-        progress
-    }
-
-    /// Counts the cells of a parameter's range.
-    pub fn cells(cells: u32, is_shown: bool) -> Self {
-        if is_shown { Self::drawn(Some(cells.into()), "{bar:30} {pos}/{len} cells, {elapsed}") } else { Self(None) }
+        self
     }
 
     fn drawn(length: Option<u64>, template: &str) -> Self {

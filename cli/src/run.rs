@@ -6,18 +6,14 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use impact_pair::Scene;
-use impact_pair::exact::Exact;
-use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
-use impact_pair::orbit::{Conclusion, Ending, Event};
-use impact_pair::scene::Run;
+use impact_pair::orbit::{Conclusion, Ending, Event, Orbit};
+use impact_pair_answers::{Format, Listing, RunOptions};
 
 use crate::Answer;
 use crate::destination::{Destination, Files, OpenOutput};
-use crate::listing::{Format, Listing};
 use crate::progress::Progress;
-use crate::scene;
-use impact_pair_answers::values::{ARITHMETICS, bits, count, digits, point};
+use crate::verb::formats;
+use crate::{ending, scene};
 
 pub const HELP: &str = "\
 Examples:
@@ -45,49 +41,23 @@ output still has the certified part); 2 usage, bad input, I/O.";
 #[derive(Args, Debug)]
 pub struct RunArguments {
     /// Scene file (TOML), or - for stdin
-    pub scene: PathBuf,
-    /// Stop after N impacts [default: that of the scene; 100 if there is no --until either]
-    #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
-    impacts: Option<u64>,
-    /// Stop at this time, a number or an expression such as 100*pi [default: that of the scene]
-    #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
-    until: Option<Exact>,
-    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W
-    /// [default: that of the scene, or 9; with shadow 6]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// The arithmetic: auto, the cheapest that certifies the digits; float, plain doubles, not rigorous; interval,
-    /// certified in doubles, without a limit of widths; inari, the textbook interval method, for one harmonic; shadow, for
-    /// chaotic motion, a true orbit that starts within about 1e-12 of the given start, for any number of impacts; or BITS,
-    /// certified at that precision, without a limit of widths
-    #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
-    pub arithmetic: Arithmetic,
-    /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
-    #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
-    splice: u64,
-    /// Maximum precision of auto, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    pub max_bits: u32,
-    /// Output format [default: by the extension of --output, else table]
-    #[arg(long, value_enum)]
-    pub format: Option<Format>,
+    scene: PathBuf,
     #[command(flatten)]
-    pub destination: Destination,
-}
-
-impl RunArguments {
-    /// Returns the settings of the run: those of the command line, else those of the scene's table `[run]`.
-    pub fn settings(&self, scene: &Scene) -> Settings {
-        let run = Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits };
-        Settings { max_bits: self.max_bits, splice: self.splice, ..scene.settings_requested(run, self.arithmetic) }
-    }
+    options: RunOptions,
+    /// Output format [default: by the extension of --output, else table]
+    #[arg(long, value_parser = formats(RunOptions::FORMATS))]
+    format: Option<Format>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 pub fn run(arguments: &RunArguments) -> Result<Answer> {
-    let format = arguments.destination.format(arguments.format)?;
+    let accepted: Vec<Format> = RunOptions::FORMATS.iter().map(|(format, _)| *format).collect();
+    let output = ("--output", arguments.destination.output.as_deref());
+    let format = ending::format(arguments.format, output, &accepted, Format::Table)?;
     let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
         arguments.destination.begin(&arguments.scene, None)?;
-    let settings = Settings { attractor: true, ..arguments.settings(&scene) };
+    let settings = arguments.options.settings(&scene);
     let mut orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
     let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();
     let said_already = format == Format::Table && out.is_stdout();

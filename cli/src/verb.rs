@@ -24,7 +24,7 @@ pub struct Arguments<V: Verb, O: Outputs<V>> {
     scene: PathBuf,
     #[command(flatten)]
     options: V,
-    #[arg(long, help = V::FORMAT, value_name = "FORMAT", value_parser = formats::<V>())]
+    #[arg(long, help = V::FORMAT, value_name = "FORMAT", value_parser = formats(V::FORMATS))]
     format: Option<Format>,
     #[command(flatten)]
     outputs: O,
@@ -36,8 +36,8 @@ fn drawn<V: Verb>(argument: Arg) -> Arg {
 }
 
 /// Reads one of the formats of a verb.
-fn formats<V: Verb>() -> impl TypedValueParser<Value = Format> {
-    let all = V::FORMATS.iter().filter_map(|(format, help)| Some(format.to_possible_value()?.help(*help)));
+pub fn formats(all: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
+    let all = all.iter().filter_map(|(format, help)| Some(format.to_possible_value()?.help(*help)));
     PossibleValuesParser::new(all).map(|name| Format::from_str(&name, false).expect("one of them"))
 }
 

@@ -287,7 +287,7 @@ class Orbit(Document):
 
     def json(self) -> str:
         """Return the orbit JSON, as ``impact-pair run --format json`` writes it."""
-        return self._core.json()
+        return self._core.text("json")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write .json, .jsonl or .csv as ``impact-pair run`` does; ``to_arrow`` as .parquet, ``savemat`` as .mat.
@@ -308,30 +308,10 @@ class Orbit(Document):
                 self.savemat(str(path))
             case ".parquet":
                 write(path, [parquet(self.to_arrow())])
-            case ".csv":
-                write(path, (f"{line}\n".encode() for line in self._csv()))
             case ".nc" | ".zarr":
                 _cf.save(self.to_xarray(), path)
-            case _:
-                write(path, (f"{line}\n".encode() for line in self._lines()))
-
-    def _csv(self) -> Iterator[str]:
-        """Yield the lines of the command line's CSV: one line per event, bounds in columns."""
-        yield "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper"
-        for event in self.events:
-            name, time = type(event).__name__.lower(), ",".join(event.time.decimals)
-            if isinstance(event, Impact):
-                velocity = ",".join(event.velocity.decimals)
-                yield f"{name},{event.index},{event.mapping or ''},{event.wall},{time},{velocity}"
-            else:
-                yield f"{name},,,{event.wall},{time},,"
-
-    def _lines(self) -> Iterator[str]:
-        """Yield JSON Lines: the head, an event a line, and the end."""
-        yield self._core.first_line()
-        yield from (str(self._core.event(i)) for i in range(len(self._names)))
-        end = {"outcome": self.outcome.fields, "arithmetic": self.arithmetic}
-        yield json.dumps(end, separators=(",", ":"), ensure_ascii=False)
+            case suffix:
+                write(path, [self._core.text(suffix[1:]).encode()])
 
     def prove(self, impacts: int | None = None) -> Theorem:
         """Return a Coq file whose theorem states the claims of this orbit; see :func:`impact_pair.prove`."""

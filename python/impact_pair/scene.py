@@ -189,9 +189,9 @@ class Scene:
         keep_partial: bool = False,
     ) -> Answer:
         """Return the answer of a verb; options are those of the command line, None is their default."""
-        question = json.dumps({key.replace("_", "-"): value for key, value in options.items()})
+        question = (verb, question_of(options))
         with reporting(progress, unit, total) as report:
-            return kept(kind(*_core.answer(self._core, self._path, (verb, question), picture, report)), keep_partial)
+            return kept(kind(*_core.answer(self._core, self._path, question, picture, report)), keep_partial)
 
     def run(
         self,
@@ -736,12 +736,15 @@ def narrow(digits: int | None, max_bits: int) -> dict[str, Any]:
     return {"digits": optional_whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
 
 
-def requested_of(
-    impacts: int | None, until: Value | None, narrowness: dict[str, Any], arithmetic: str | int, splice: int
-) -> tuple[int | None, str | None, int | None, str, int, int]:
-    """Return the request of an orbit, as the compiled module takes it."""
-    digits, max_bits = narrowness.values()
-    return impacts, optional("until", until), digits, arithmetic_of(arithmetic), whole("splice", splice, IMPACTS), max_bits
+def requested_of(impacts: int | None, until: Value | None, narrowness: dict[str, Any], arithmetic: str | int, splice: int) -> str:
+    """Return the options of an orbit, as JSON."""
+    options = {"impacts": impacts, "until": optional("until", until), "arithmetic": arithmetic_of(arithmetic)}
+    return question_of(options | {"splice": whole("splice", splice, IMPACTS)} | narrowness)
+
+
+def question_of(options: Mapping[str, Any]) -> str:
+    """Return options as JSON, named as on the command line."""
+    return json.dumps({key.replace("_", "-"): value for key, value in options.items()})
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:

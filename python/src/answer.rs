@@ -42,7 +42,7 @@ fn ask<V: Verb>(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Wat
 where
     for<'s> V::Answer<'s>: Pictured,
 {
-    let found = read_options::<V>(options)?.answer(asked, watch)?;
+    let found = read_options::<V>(V::NAME, options)?.answer(asked, watch)?;
     let document = found.text(Format::Json).map_err(Fault::of)?;
     let svg = if asked.is_drawn { found.svg(&Look::default()).transpose().map_err(Fault::other)? } else { None };
     let status = found.status();

@@ -23,16 +23,6 @@ pub fn exact(key: &str, text: &str) -> Result<Exact, Fault> {
     Exact::parse(text).map_err(|error| Fault::range(key, text, &format!("does not read as a number: {error}")))
 }
 
-/// A number that a keyword gives, which must be a single number.
-pub fn point(key: &str, text: &str) -> Result<Exact, Fault> {
-    let number = exact(key, text)?;
-    if number.is_point() {
-        Ok(number)
-    } else {
-        Err(Fault::range(key, text, "must be a single number, not an interval"))
-    }
-}
-
 /// Pairs of texts, lower and upper bounds, as bytes of doubles rounded outward.
 #[pyfunction]
 pub fn outward<'py>(py: Python<'py>, bounds: Vec<(String, String)>) -> PyResult<Bound<'py, PyBytes>> {

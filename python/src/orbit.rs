@@ -1,20 +1,22 @@
 //! `run`: an orbit with all its events, and where the ball is between them.
 
+use std::iter;
 use std::sync::Mutex;
 
 use impact_pair::json::{
-    self, ArithmeticDocument, EventDocument, EventName, OrbitDocument, OrbitHead, OutcomeDocument, write_orbit,
+    self, ArithmeticDocument, EventDocument, EventName, OrbitDocument, OrbitEnd, OrbitHead, OutcomeDocument,
+    write_orbit,
 };
-use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind, Settings};
-use impact_pair::scene::{DIGITS, Run};
+use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind};
 use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
+use impact_pair_answers::{CSV_HEADER, RunOptions, csv_row, read_options};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::errors::{Fault, accepted};
+use crate::errors::Fault;
 use crate::flights::{number, side};
-use crate::numbers::{bytes, point, read};
+use crate::numbers::{bytes, read};
 use crate::scene::{Scene, json};
 use crate::watched::watched;
 
@@ -102,22 +104,30 @@ fn row(event: &Event) -> Row {
 
 #[pymethods]
 impl Orbit {
-    /// The orbit JSON, as the command line writes it.
-    fn json(&self) -> PyResult<String> {
-        let mut out = Vec::new();
+    /// The orbit as the command line writes it: `json`, `jsonl` or `csv`.
+    fn text(&self, format: &str) -> PyResult<String> {
         let events = (0..self.count()).filter_map(|event| self.document(event));
-        write_orbit(&mut out, &self.head, &self.outcome, events)?;
-        Ok(String::from_utf8(out)?)
+        match format {
+            "csv" => Ok(iter::once(CSV_HEADER.to_owned())
+                .chain(events.map(|event| csv_row(&event)))
+                .fold(String::new(), line)),
+            "jsonl" => {
+                let first = json(&OrbitHead { arithmetic: self.at_first.clone(), ..self.head.clone() });
+                let end = OrbitEnd { outcome: self.outcome.clone(), arithmetic: self.head.arithmetic.clone() };
+                let lines = iter::once(first).chain(events.map(|event| json(&event))).chain(iter::once(json(&end)));
+                lines.collect::<PyResult<Vec<_>>>().map(|lines| lines.into_iter().fold(String::new(), line))
+            }
+            _ => {
+                let mut out = Vec::new();
+                write_orbit(&mut out, &self.head, &self.outcome, events)?;
+                Ok(String::from_utf8(out)?)
+            }
+        }
     }
 
     /// The head and the outcome of it.
     fn about(&self) -> PyResult<(String, String)> {
         Ok((json(&self.head)?, json(&self.outcome)?))
-    }
-
-    /// The first one of its JSON Lines, as the command line writes it.
-    fn first_line(&self) -> PyResult<String> {
-        json(&OrbitHead { arithmetic: self.at_first.clone(), ..self.head.clone() })
     }
 
     /// True if everything requested is certified (`None` of an orbit that was read), the last line of the table, and the maximum precision in bits.
@@ -180,32 +190,18 @@ impl Orbit {
     }
 }
 
-/// The requested length of an orbit: impacts, time, digits, arithmetic, splice, bits.
-pub type RunOptions = (Option<u64>, Option<String>, Option<u32>, String, u64, u32);
-
-/// The part of it that a scene's table `[run]` may say.
-pub fn requested_run(requested: &RunOptions) -> Result<Run, Fault> {
-    let (impacts, until, digits, ..) = requested;
-    let until = until.as_deref().map(|until| point("until", until)).transpose()?;
-    let digits = digits.map(|digits| accepted("digits", digits, DIGITS)).transpose()?;
-    Ok(Run { impacts: *impacts, until, digits })
+/// The options of an orbit, as JSON.
+pub fn read_run(options: &str) -> Result<RunOptions, Fault> {
+    let options = serde_json::from_str(options).map_err(Fault::other)?;
+    Ok(read_options("run", &options)?)
 }
 
 /// Follows the orbit of a scene.
 #[pyfunction]
-pub fn run(
-    py: Python<'_>,
-    scene: &Bound<'_, Scene>,
-    requested: RunOptions,
-    progress: Option<Py<PyAny>>,
-) -> PyResult<Orbit> {
+pub fn run(py: Python<'_>, scene: &Bound<'_, Scene>, options: String, progress: Option<Py<PyAny>>) -> PyResult<Orbit> {
     let scene = scene.get().scene.clone();
     watched(py, progress, move |monitor| {
-        let (_, _, _, arithmetic, splice, max_bits) = &requested;
-        let max_bits = accepted("max_bits", *max_bits, orbit::BITS)?;
-        let chosen = arithmetic.parse().map_err(|error| Fault::keyed(error, "arithmetic", arithmetic))?;
-        let settings = scene.settings_requested(requested_run(&requested)?, chosen);
-        let settings = Settings { attractor: true, splice: *splice, max_bits, ..settings };
+        let settings = read_run(&options)?.settings(&scene);
         let orbit = orbit::Orbit::of(&scene, settings.clone())?;
         let at_first = orbit.head_at_first().arithmetic;
         let mut events: Vec<Event> = Vec::new();
@@ -224,6 +220,11 @@ pub fn run(
             motion: Some(Mutex::new(dense)),
         })
     })
+}
+
+/// The text with one more line.
+fn line(text: String, line: impl AsRef<str>) -> String {
+    text + line.as_ref() + "\n"
 }
 
 /// Reads an orbit JSON.

@@ -1,13 +1,13 @@
 //! Pictures as the command line draws them.
 
 use anyhow::Result;
-use impact_pair::orbit::{BITS, Orbit};
+use impact_pair::orbit::Orbit;
 use impact_pair_plot::orbit::{Caption, Figure, Panel};
 use impact_pair_plot::picture::Look;
 use pyo3::prelude::*;
 
 use crate::errors::{Fault, accepted};
-use crate::orbit::{RunOptions, requested_run};
+use crate::orbit::read_run;
 use crate::scene::Scene;
 use crate::watched::watched;
 
@@ -29,7 +29,7 @@ pub fn plot(
     scene: &Bound<'_, Scene>,
     panels: &str,
     cycles: (u32, u32),
-    requested: RunOptions,
+    options: &str,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, bool, bool, String)> {
     let scene = scene.get().scene.clone();
@@ -44,10 +44,7 @@ pub fn plot(
         orbit_cycles: accepted("orbit_cycles", cycles.1, 1..=10_000)?,
         transient: 0,
         zoom: None,
-        run: requested_run(&requested)?,
-        arithmetic: requested.3.parse().map_err(|error| Fault::keyed(error, "arithmetic", &requested.3))?,
-        splice: requested.4,
-        max_bits: accepted("max_bits", requested.5, BITS)?,
+        run: read_run(options)?,
         look: Look::default(),
     };
     watched(py, progress, move |monitor| {

@@ -3,14 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
-use impact_pair::exact::Exact;
-use impact_pair::orbit::{Arithmetic, MAX_BITS};
-use impact_pair::scene::Run;
+use impact_pair_answers::RunOptions;
+use impact_pair_answers::values::{whole, window};
 use impact_pair_plot::orbit::{Figure, Panel};
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use impact_pair_answers::values::{ARITHMETICS, bits, count, digits, point, whole, window};
 
 pub const HELP: &str = "\
 Examples:
@@ -29,6 +27,10 @@ impact on, was interrupted, or is wider than --digits (the picture shows the cer
 bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("impacts", |impacts| impacts.help("Stop after N impacts [default: 4000 for switch-planes and sections, else as many as the forcing periods need]")))]
+#[command(mut_arg("until", |until| until.help("Stop at this time, a number or an expression such as 100*pi")))]
+#[command(mut_arg("digits", |digits| digits.help("Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W [default: that of the scene, or 9]")))]
+#[command(mut_arg("arithmetic", |arithmetic| arithmetic.help("The arithmetic, as in run")))]
 #[command(group(ArgGroup::new("shown").required(true).args(["panels", "all"])))]
 pub struct PlotArguments {
     /// Scene file (TOML), or - for stdin
@@ -51,25 +53,8 @@ pub struct PlotArguments {
     /// Show the time panels again between these two times
     #[arg(long, value_name = "T0..T1", value_parser = window, allow_hyphen_values = true)]
     zoom: Option<[f64; 2]>,
-    /// Stop after N impacts [default: 4000 for switch-planes and sections, else as many as the forcing periods need]
-    #[arg(long, value_name = "N", value_parser = count(0..=u64::MAX))]
-    impacts: Option<u64>,
-    /// Stop at this time, a number or an expression such as 100*pi
-    #[arg(long, value_name = "T", value_parser = point, allow_hyphen_values = true)]
-    until: Option<Exact>,
-    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W
-    /// [default: that of the scene, or 9]
-    #[arg(long, value_name = "D", value_parser = digits())]
-    digits: Option<u32>,
-    /// The arithmetic, as in run
-    #[arg(long, default_value = "auto", value_name = ARITHMETICS)]
-    arithmetic: Arithmetic,
-    /// With --arithmetic shadow: prove the first M impacts in higher precision, so that the start is nearer to the given one
-    #[arg(long, value_name = "M", default_value_t = 0, value_parser = count(0..=u64::MAX))]
-    splice: u64,
-    /// Maximum precision of auto, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    max_bits: u32,
+    #[command(flatten)]
+    run: RunOptions,
     /// The picture, written atomically; the extension selects the format
     #[arg(id = "plot", long = "output", short = 'o', value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub output: PathBuf,
@@ -100,10 +85,7 @@ impl PlotArguments {
             orbit_cycles: self.orbit_cycles,
             transient: self.transient as usize, // exact: 32 bits
             zoom: self.zoom,
-            run: Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits },
-            arithmetic: self.arithmetic,
-            splice: self.splice,
-            max_bits: self.max_bits,
+            run: self.run.clone(),
             look: self.look.clone(),
         }
     }

@@ -3,7 +3,7 @@
 use std::error::Error as _;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, ArgAction, Command};
+use clap::{Arg, ArgAction, Args, Command};
 use impact_pair::json::SceneDocument;
 use impact_pair::{Error, Scene};
 use serde::Deserialize;
@@ -47,7 +47,7 @@ impl Question {
     /// # Errors
     /// If one of them is unknown, missing or not accepted.
     pub fn options<V: Verb>(&self) -> Result<V, Failure> {
-        read_options(&self.options)
+        read_options(V::NAME, &self.options)
     }
 }
 
@@ -55,9 +55,9 @@ impl Question {
 ///
 /// # Errors
 /// If an option is unknown, missing or not accepted.
-pub fn read_options<V: Verb>(options: &Map<String, Value>) -> Result<V, Failure> {
-    let bare = Command::new(V::NAME).no_binary_name(true).disable_help_flag(true).disable_version_flag(true);
-    let command = V::augment_args(bare);
+pub fn read_options<O: Args>(verb: &'static str, options: &Map<String, Value>) -> Result<O, Failure> {
+    let bare = Command::new(verb).no_binary_name(true).disable_help_flag(true).disable_version_flag(true);
+    let command = O::augment_args(bare);
     let mut words = Vec::new();
     let mut positional = Vec::new();
     for (name, value) in options {
@@ -79,7 +79,7 @@ pub fn read_options<V: Verb>(options: &Map<String, Value>) -> Result<V, Failure>
         words.push("--".to_owned());
     }
     let matches = command.try_get_matches_from(words.into_iter().chain(positional)).map_err(|error| failure(&error))?;
-    V::from_arg_matches(&matches).map_err(|error| failure(&error))
+    O::from_arg_matches(&matches).map_err(|error| failure(&error))
 }
 
 /// The name of an argument in JSON: that of its option, or of the place of a positional one.
@@ -139,7 +139,7 @@ mod tests {
     use crate::{BifurcationOptions, Failure, PeriodicOptions, TwoImpactOptions, Verb};
 
     fn options<V: Verb>(options: &Value) -> Result<V, Failure> {
-        read_options(options.as_object().unwrap())
+        read_options(V::NAME, options.as_object().unwrap())
     }
 
     fn refusal<V: Verb + std::fmt::Debug>(given: Value) -> String {

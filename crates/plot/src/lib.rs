@@ -4,11 +4,12 @@
 //!
 //! ```
 //! use impact_pair::Scene;
-//! use impact_pair::orbit::{Arithmetic, Orbit};
-//! use impact_pair::scene::Run;
+//! use impact_pair::orbit::Orbit;
 //! use impact_pair::watch::Unwatched;
+//! use impact_pair_answers::read_options;
 //! use impact_pair_plot::orbit::{Figure, Panel};
 //! use impact_pair_plot::picture::Look;
+//! use serde_json::Map;
 //!
 //! let scene = Scene::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/figure-14.toml")))?;
 //! let figure = Figure {
@@ -17,10 +18,7 @@
 //!     orbit_cycles: 0,
 //!     transient: 0,
 //!     zoom: None,
-//!     run: Run::default(),
-//!     arithmetic: Arithmetic::Interval,
-//!     splice: 0,
-//!     max_bits: 53,
+//!     run: read_options("run", &Map::new())?,
 //!     look: Look::default(),
 //! };
 //! let settings = figure.settings(&scene);

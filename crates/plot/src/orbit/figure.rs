@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::orbit::{Conclusion, Ending, Event};
-use impact_pair::scene::Run;
+use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::watch::Watch;
+use impact_pair_answers::RunOptions;
 
 use super::{Panel, Recorder, Sheet, Style, end_of};
 use crate::picture::Look;
@@ -28,14 +28,8 @@ pub struct Figure {
     pub transient: usize,
     /// The range of time that is magnified in the time panels \[time\].
     pub zoom: Option<[f64; 2]>,
-    /// Length of the orbit, if requested, and digits; of the table `[run]` only the digits are used.
-    pub run: Run,
-    /// The arithmetic that computes the orbit.
-    pub arithmetic: Arithmetic,
-    /// See [`Settings::splice`].
-    pub splice: u64,
-    /// See [`Settings::max_bits`].
-    pub max_bits: u32,
+    /// The orbit: of the table `[run]` only the digits are used.
+    pub run: RunOptions,
     /// The look of the picture.
     pub look: Look,
 }
@@ -63,10 +57,7 @@ impl Figure {
                 None => (Some(SECTION_IMPACTS), None),
             },
         };
-        let digits = scene.digits_requested(self.run.digits, self.arithmetic);
-        let run = Run { impacts, until: until.clone(), digits };
-        let settings = run.settings(self.arithmetic);
-        Settings { impacts, until, max_bits: self.max_bits, splice: self.splice, attractor: true, ..settings }
+        Settings { impacts, until, ..self.run.settings(scene) }
     }
 
     /// Follows the orbit of a scene from its start, and draws it as SVG; also returns how the orbit ended.

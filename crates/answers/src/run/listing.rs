@@ -2,31 +2,17 @@
 
 use std::io::{self, BufWriter, Write};
 
-use clap::ValueEnum;
 use impact_pair::Scene;
-use impact_pair::json::{EventDocument, OrbitEnd, write_orbit};
-use impact_pair::mapping::Mapping;
-use impact_pair::orbit::{Ending, Event, EventKind};
+use impact_pair::json::{Bounds, EventDocument, OrbitEnd, write_orbit};
+use impact_pair::orbit::{Ending, Event};
 use impact_pair::orbit::{Orbit, Settings};
 use serde::Serialize;
 
-use crate::table;
+use super::table;
+use crate::Format;
 
-/// Output formats of the events of an orbit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Human-readable: the certain digits, then the last digits of both bounds
-    #[default]
-    Table,
-    /// One document, schema impact-pair/orbit/1
-    Json,
-    /// JSON Lines as they are certified: the head, one event per line, the outcome
-    Jsonl,
-    /// One event per line, bounds in columns
-    Csv,
-}
-
-const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
+/// The first line of CSV.
+pub const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
 
 /// Writes the events of one orbit as they come; `out` should pass on whole lines at once.
 pub struct Listing<'s, W> {
@@ -39,20 +25,28 @@ pub struct Listing<'s, W> {
 }
 
 impl<'s, W: Write> Listing<'s, W> {
+    /// A listing of the orbit of a scene in a format: table, JSON, JSON Lines, or else CSV.
     pub fn new(format: Format, scene: &'s Scene, settings: &'s Settings, out: W) -> Self {
         Self { format, scene, settings, out, held_back: Vec::new() }
     }
 
     /// Writes the part of the output before the events.
+    ///
+    /// # Errors
+    /// If the writer fails.
     pub fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
             Format::Jsonl => line(&mut self.out, &orbit.head_at_first()),
-            Format::Csv => writeln!(self.out, "{CSV_HEADER}"),
+            _ => writeln!(self.out, "{CSV_HEADER}"),
         }
     }
 
+    /// Writes an event, or holds it back.
+    ///
+    /// # Errors
+    /// If the writer fails.
     pub fn event(&mut self, event: &Event) -> io::Result<()> {
         match self.format {
             Format::Table => table::event(&mut self.out, event),
@@ -61,23 +55,14 @@ impl<'s, W: Write> Listing<'s, W> {
                 Ok(())
             }
             Format::Jsonl => line(&mut self.out, &EventDocument::from(event)),
-            Format::Csv => {
-                let (name, wall, [t0, t1]) = (event.name().text(), event.wall.name(), event.time.decimals());
-                match &event.kind {
-                    EventKind::Impact { index, mapping, velocity } => {
-                        let mapping = mapping.as_ref().map(Mapping::to_string).unwrap_or_default();
-                        let [v0, v1] = velocity.decimals();
-                        writeln!(self.out, "{name},{index},{mapping},{wall},{t0},{t1},{v0},{v1}")
-                    }
-                    EventKind::Graze { .. } | EventKind::Rest { .. } | EventKind::Release => {
-                        writeln!(self.out, "{name},,,{wall},{t0},{t1},,")
-                    }
-                }
-            }
+            _ => writeln!(self.out, "{}", csv_row(&EventDocument::from(event))),
         }
     }
 
     /// Writes the part of the output after the events, and returns the writer.
+    ///
+    /// # Errors
+    /// If the writer fails.
     pub fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,
@@ -91,10 +76,19 @@ impl<'s, W: Write> Listing<'s, W> {
                 let (outcome, arithmetic) = (ending.conclusion.document(), ending.head.arithmetic.clone());
                 line(&mut self.out, &OrbitEnd { outcome, arithmetic })?;
             }
-            Format::Csv => {}
+            _ => {}
         }
         Ok(self.out)
     }
+}
+
+/// An event as a row of CSV, bounds in columns.
+pub fn csv_row(event: &EventDocument) -> String {
+    let ends = |bounds: &Bounds| format!("{},{}", bounds[0].text(), bounds[1].text());
+    let index = event.index.map_or(String::new(), |index| index.to_string());
+    let mapping = event.mapping.flatten().map_or(String::new(), |mapping| mapping.to_string());
+    let velocity = event.velocity.as_ref().map_or(",".to_owned(), ends);
+    format!("{},{index},{mapping},{},{},{velocity}", event.event.text(), event.wall.name(), ends(&event.time))
 }
 
 fn line(out: &mut impl Write, document: &impl Serialize) -> io::Result<()> {

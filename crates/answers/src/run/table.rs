@@ -7,7 +7,7 @@ use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::orbit::{Ending, Event, EventKind};
 
-use impact_pair_answers::heading;
+use crate::heading;
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
     out.write_all(heading(scene).as_bytes())?;
