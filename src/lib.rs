@@ -28,7 +28,6 @@
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`orbit::Progress`], [`orbit::Outcome`] |
 //! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
 //! | beyond the paper | homoclinic tangencies of the equispaced motion (66), (67) | [`tangency`] |
-//! | beyond the paper | what becomes of a motion, in one answer | [`describe`] |
 //! | beyond the paper | where every motion goes, over the plane of two parameters | [`atlas`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
@@ -83,7 +82,6 @@ pub mod chaos;
 pub mod clock;
 pub mod contact;
 pub mod covering;
-pub mod describe;
 pub mod excitation;
 pub mod flight;
 pub mod impact;
@@ -107,7 +105,6 @@ mod threads;
 #[cfg(test)]
 #[path = "../tests/tolerances/mod.rs"]
 mod tolerances;
-pub mod trade;
 pub mod turns;
 pub mod two_impact;
 pub mod units;

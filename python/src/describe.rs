@@ -1,7 +1,7 @@
 //! The description of a motion in words.
 
-use impact_pair::describe::lines;
 use impact_pair::json::{self, DescriptionDocument};
+use impact_pair_answers::describe::lines;
 use pyo3::prelude::*;
 
 use crate::errors::Fault;

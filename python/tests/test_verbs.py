@@ -18,6 +18,11 @@ def test_periodic(cli):
     from_cli = cli.json("periodic", "scenes/figure-13.toml", "--word", "RL", "--cycles", 1, "--all")
     assert found.document == from_cli
     assert found.complete is found.exhaustive is True
+    searched = Scene.named("figure-13").periodic("RL", 1)
+    options = ("--word", "RL", "--cycles", 1)
+    # The step that helps is the keyword here, and the option there.
+    assert searched.status.endswith("others are not excluded (try all=True)")
+    assert searched.status.replace("all=True", "--all") in cli.text("periodic", "scenes/figure-13.toml", *options)
     for orbit, said in zip(found, from_cli["orbits"], strict=True):
         assert_rounded_outward(orbit.phase_bounds, [impact["phase"] for impact in said["impacts"]])
         assert_rounded_outward(orbit.v_bounds, [impact["velocity"] for impact in said["impacts"]])

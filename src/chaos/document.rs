@@ -128,7 +128,7 @@ fn hyperbolic(set: &Hyperbolic) -> HyperbolicDocument {
 }
 
 /// Returns lower bounds of the entropy per impact and per forcing period.
-pub(crate) fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
+pub fn entropy([impact, cycle]: [f64; 2]) -> EntropyDocument {
     EntropyDocument { per_impact: lower(impact), per_cycle: lower(cycle) }
 }
 

@@ -43,6 +43,7 @@ use crate::mapping::Word;
 use crate::number::Ball;
 use crate::number::interval::Interval;
 use crate::pair::{ImpactPair, Reduced, Wall};
+use crate::several::Spectrum;
 pub use crate::shaken::shaking;
 use crate::shaken::{Either, OneHarmonic, SeveralHarmonics, under};
 use crate::watch::{Unwatched, Watch};
@@ -86,6 +87,15 @@ impl Precision {
 
 /// Digits that distinguish orbits, where the requested digits do not.
 const FINE_DIGITS: u32 = 14;
+
+/// Whether the excitation of a pair is proved to be periodic; without a common period of its harmonics no motion with impacts is.
+///
+/// # Errors
+/// If a value is beyond the range of exact expressions.
+pub fn has_common_period(pair: &ImpactPair) -> Result<bool, Error> {
+    let spectrum = Spectrum::new(pair, &BigInt::ZERO)?;
+    Ok(spectrum.is_none_or(|spectrum| spectrum.period.is_some()))
+}
 
 /// The problem of finding the periodic orbits of a word with a given number of forcing periods.
 ///

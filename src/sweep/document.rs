@@ -145,7 +145,7 @@ fn of_ball(ball: Ball) -> ExtendedBounds {
 }
 
 /// Bounds of an exponent in the limit; an upper bound alone has some ten digits.
-pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
+pub fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
     if low.is_finite() || !high.is_finite() {
         return Between::computed(decimal_bounds_f64(low, high));
     }
@@ -155,7 +155,7 @@ pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
 }
 
 /// Bounds of an exponent per impact and per forcing period, or the reason why there are none.
-pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
+pub fn exponent(exponent: Exponent) -> SweepExponent {
     let rest = || Some(Between::computed(["-inf".to_owned(), "-inf".to_owned()]));
     match exponent {
         Exponent::Finite { per_impact, per_cycle } => {

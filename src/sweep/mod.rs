@@ -18,8 +18,9 @@ mod window;
 
 pub use attraction::Attraction;
 pub use columns::{Cell, Kind, Table, columns, csv_head, csv_line, csv_names, csv_rows, doubles, rows};
+pub(crate) use document::axes;
 pub(crate) use document::written;
-pub(crate) use document::{axes, exponent, limit};
+pub use document::{exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
 pub use kinds::{Kind as OutcomeKind, Kinds};

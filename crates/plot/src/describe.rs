@@ -6,13 +6,13 @@ use std::ops::ControlFlow;
 use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::chaos::State;
-use impact_pair::describe::Description;
 use impact_pair::json::{DescriptionDocument, FateName};
 use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Orbit, Progress, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::units::Units;
 use impact_pair::watch::Unwatched;
+use impact_pair_answers::describe::Description;
 use plotters::prelude::*;
 
 use crate::chaos::section;
@@ -104,7 +104,7 @@ fn head(
     (found, document): (&Description, &DescriptionDocument),
     (root, look): (&Canvas<'_>, &Look),
 ) -> Result<i32, Box<dyn std::error::Error>> {
-    let lines = impact_pair::describe::lines(document);
+    let lines = impact_pair_answers::describe::lines(document);
     let shown = lines.iter().filter(|(label, _)| ["fate", "exponent", "entropy"].contains(label));
     let shown = shown.map(|(label, text)| typeset_text(&format!("{label}: {text}")).replace(" -", " −"));
     let data = greek(&format!("{}; {}", scene.pair().in_words(), scene.start().in_words()));

@@ -45,7 +45,7 @@ pub mod two_impact;
 pub mod windows;
 
 use anyhow::Result;
-use impact_pair::trade::Trade;
+use impact_pair_answers::trade::Trade;
 use impact_pair_answers::{
     AllCycles, Analysis, Answer, Audited, Bifurcations, Chaotic, Described, HomoclinicTangencies, Periodic,
     StableWindows, Trapped,

@@ -1,75 +1,84 @@
-//! `trade`: what accuracy costs on a scene.
+//! The cost of accuracy on a scene: the speed, the reach and the widths of each arithmetic, and the true errors of floating point.
 
+mod document;
+mod judge;
+mod measure;
+mod schedule;
 mod table;
+mod verb;
 
-use anyhow::Result;
-use clap::Args;
-use impact_pair::json::one_a_line;
-use impact_pair::orbit::{Arithmetic, MAX_BITS, Orbit, Settings};
-use impact_pair::scene::Run;
-use impact_pair::trade::Trade;
-use impact_pair::watch::Watch;
+pub use judge::{Crossing, Divergence, ErrorBounds, Largest};
+pub use measure::{Extent, Measured, Times, Widths};
+pub use schedule::TradeArithmetic;
+pub use verb::TradeOptions;
+
+use impact_pair::json::counted;
+use impact_pair::orbit::{INARI, Settings};
+use impact_pair::scales::{Scales, Unit};
+use impact_pair::watch::{Stage, Watch};
 use impact_pair::{Error, Scene};
+use measure::measure;
+use schedule::TradeSchedule;
 
-use crate::values::{bits, count};
-use crate::{Answer, Asked, Counts, Failure, Format, Status, Verb};
-
-/// Options of `trade`.
-#[derive(Args, Clone, Debug)]
-pub struct TradeOptions {
-    /// Stop each row after N impacts [default: that of the scene; 100 if the scene has no stop time either]
-    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
-    pub impacts: Option<u64>,
-    /// Maximum precision of a row, in bits
-    #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
-    pub max_bits: u32,
+/// The measurements on a scene.
+#[derive(Clone, Debug)]
+pub struct Trade<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// The requested length of the orbit for each arithmetic.
+    pub requested: Settings,
+    /// Units of widths and errors.
+    pub units: Scales<Unit>,
+    /// The measured arithmetics, in order.
+    pub rows: Vec<Measured>,
+    /// The true errors of `float`.
+    pub judgement: Option<ErrorBounds>,
+    /// The arithmetic that the watch interrupted.
+    pub interrupted: Option<TradeArithmetic>,
 }
 
-impl TradeOptions {
-    /// How far each row is followed.
-    fn settings(&self, scene: &Scene) -> Settings {
-        let run = Run { impacts: self.impacts, ..Run::default() };
-        Settings { max_bits: self.max_bits, ..scene.settings_requested(run, Arithmetic::Auto) }
-    }
-}
-
-impl Verb for TradeOptions {
-    const NAME: &'static str = "trade";
-    const FORMATS: &'static [(Format, &'static str)] = &[
-        (Format::Table, "Human-readable: one line per row"),
-        (Format::Json, "One document, schema impact-pair/trade/1"),
-    ];
-    const FORMAT: &'static str = "Output format [default: by the extension of --output, else table]";
-    const PICTURE: &'static str = "Draw the time per impact over the certified digits";
-    type Answer<'s> = Trade<'s>;
-
-    fn counts(&self, scene: &Scene) -> Counts {
-        Counts::Impacts(self.settings(scene).impacts)
-    }
-
-    fn answer<'s>(&self, Asked { scene, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Trade<'s>, Failure> {
-        let requested = self.settings(scene);
-        if requested.impacts == Some(0) {
-            let message = "run.impacts is 0: no impacts to measure (try --impacts)";
-            return Err(Error::out_of_range("run.impacts", message.to_owned()).into());
+impl<'s> Trade<'s> {
+    /// Measures each arithmetic, and compares `float` with a certified orbit.
+    ///
+    /// # Errors
+    /// If the scene's values exceed the range of orbits.
+    pub fn of(scene: &'s Scene, requested: Settings, watch: &dyn Watch) -> Result<Self, Error> {
+        let units = Scales::of(scene)?.units();
+        let one_harmonic = scene.pair().excitation().only().is_some();
+        let mut schedule = TradeSchedule::new(requested.max_bits, one_harmonic && INARI);
+        let mut trade = Self { scene, requested, units, rows: Vec::new(), judgement: None, interrupted: None };
+        while let Some(arithmetic) = schedule.arithmetic() {
+            watch.note(Stage::Part(&arithmetic.to_string()));
+            let Some(measured) = measure(scene, arithmetic, &trade.requested, &units, watch)? else {
+                trade.interrupted = Some(arithmetic);
+                break;
+            };
+            schedule.advance(measured.impacts, measured.is_complete());
+            trade.rows.push(measured);
+            if arithmetic == TradeArithmetic::Float {
+                watch.note(Stage::Part("true errors of float"));
+                trade.judgement = Some(judge::judge_float(scene, &trade.requested, &units, watch)?);
+            }
         }
-        Orbit::of(scene, requested.clone())?;
-        Ok(Trade::of(scene, requested, watch)?)
+        Ok(trade)
     }
-}
 
-impl Answer for Trade<'_> {
-    fn status(&self) -> Status {
-        match self.interrupted {
-            Some(arithmetic) => Status::new(false, format!("interrupted in row {arithmetic}")),
-            None => Status::new(true, "every row was measured"),
+    /// The reference for `float`, in words.
+    pub fn judge(&self) -> String {
+        judge::name(&judge::truth(&self.requested))
+    }
+
+    /// The requested length of the orbits, in words.
+    ///
+    /// # Panics
+    /// If neither impacts nor a time are requested: no orbit goes on for ever.
+    pub fn goal(&self) -> String {
+        let impacts = self.requested.impacts.map(|impacts| counted(impacts, "impact"));
+        let until = self.requested.until.as_ref().map(|until| format!("t = {until}"));
+        match (impacts, until) {
+            (Some(impacts), Some(until)) => format!("{impacts}, or up to {until}"),
+            (Some(goal), None) | (None, Some(goal)) => goal,
+            (None, None) => unreachable!("there is a default"),
         }
-    }
-
-    fn text(&self, format: Format) -> Result<Option<String>> {
-        Ok(Some(match format {
-            Format::Json => format!("{}\n", one_a_line(&self.document(), &["arithmetics"])),
-            _ => table::table(self),
-        }))
     }
 }

@@ -1,7 +1,7 @@
 //! The table for people: one line per arithmetic, then the errors of `float`.
 
+use super::{Crossing, ErrorBounds, Extent, Largest, Measured, Trade};
 use impact_pair::json::counted;
-use impact_pair::trade::{Crossing, ErrorBounds, Extent, Largest, Measured, Trade};
 
 use crate::heading;
 

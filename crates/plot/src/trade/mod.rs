@@ -5,7 +5,7 @@ mod labels;
 
 use anyhow::Result;
 use impact_pair::json::PROGRAM;
-use impact_pair::trade::{ErrorBounds, Measured, Trade, TradeArithmetic};
+use impact_pair_answers::trade::{ErrorBounds, Measured, Trade, TradeArithmetic};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 

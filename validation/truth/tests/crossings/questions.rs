@@ -9,7 +9,6 @@ use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{
     self, BoxGraph, Chaos, Cycles, Global, GlobalSettings, HSet, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
 };
-use impact_pair::describe::{Request, describe};
 use impact_pair::json::WallWordsDocument;
 use impact_pair::mapping::Word;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
@@ -21,6 +20,7 @@ use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Effort, Error, Scene, two_impact};
+use impact_pair_answers::describe::{Request, describe};
 use impact_pair_truth::float;
 use serde_json::{Value, json};
 

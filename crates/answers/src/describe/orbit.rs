@@ -1,14 +1,14 @@
 //! The certified orbit of a description: as few impacts as decide its fate.
 
-use impact_pair_document::{FateName, OrbitDocument};
+use impact_pair::json::{FateName, OrbitDocument};
 
-use impact_pair_model::vocabulary::OutcomeKind;
+use impact_pair::json::vocabulary::OutcomeKind;
 
 use super::Request;
-use crate::lyapunov::{Disturbance, Exponent, limit};
-use crate::orbit::{Arithmetic, Orbit, Outcome, Settings};
-use crate::watch::Latched;
-use crate::{Error, Scene};
+use impact_pair::lyapunov::{Disturbance, Exponent, limit};
+use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
+use impact_pair::watch::Latched;
+use impact_pair::{Error, Scene};
 
 /// Impacts that are followed first, and the factor from one attempt to the next.
 const FIRST_IMPACTS: u64 = 32;

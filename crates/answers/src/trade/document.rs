@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use impact_pair_document::{
+use impact_pair::json::{
     CrossingDocument, ExtentDocument, LargestError, LargestErrors, Microseconds, PROGRAM, RowDocument, RowOptions,
     SceneDocument, Seconds, TRADE_SCHEMA, TradeDocument, TradeRequest, TradeUnits, TruthDocument, WidthsDocument,
     WordLeft,

@@ -2,19 +2,16 @@
 
 use std::cmp::Ordering;
 
-use num_bigint::BigInt;
-use num_traits::Zero;
-
-use impact_pair_document::{FateName, NotExaminedDocument, QuestionDocument};
+use impact_pair::json::{FateName, NotExaminedDocument, QuestionDocument};
 
 use super::{Description, Horseshoe, Region};
-use crate::chaos::MOST_DEPTH;
-use crate::contact::Reason;
-use crate::exact::Exact;
-use crate::lyapunov::{Exponent, NoExponent};
-use crate::orbit::BITS;
-use crate::several::Spectrum;
-use crate::{Error, Scene};
+use impact_pair::chaos::MOST_DEPTH;
+use impact_pair::contact::Reason;
+use impact_pair::exact::Exact;
+use impact_pair::lyapunov::{Exponent, NoExponent};
+use impact_pair::orbit::BITS;
+use impact_pair::periodic::has_common_period;
+use impact_pair::{Error, Scene};
 
 /// The most impacts for which a description is tried next where the motion stays in a region: some seconds.
 const MOST_NEXT_IMPACTS: u64 = 20_000;
@@ -34,8 +31,7 @@ pub(super) fn is_unattracted(scene: &Scene) -> Result<Option<&'static str>, Erro
     if pair.restitution().compare(&Exact::from(1)) == Some(Ordering::Equal) {
         return Ok(Some(KEEPS_AREAS));
     }
-    let spectrum = Spectrum::new(pair, &BigInt::zero())?;
-    Ok(spectrum.filter(|spectrum| spectrum.period.is_none()).map(|_| HAS_NO_PERIOD))
+    Ok((!has_common_period(pair)?).then_some(HAS_NO_PERIOD))
 }
 
 impl Description {

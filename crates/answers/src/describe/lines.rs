@@ -1,8 +1,8 @@
 //! A description in words: a few lines, each with a label.
 
-use impact_pair_document::{DescribedExponent, DescriptionDocument, ExtendedBounds, HorseshoeDocument, TrapDocument};
+use impact_pair::json::{DescribedExponent, DescriptionDocument, ExtendedBounds, HorseshoeDocument, TrapDocument};
 
-use crate::exact::{Exact, decimal_digits};
+use impact_pair::exact::{Exact, decimal_digits};
 
 /// Bits that show bounds.
 const BITS: u32 = 160;

@@ -1,16 +1,16 @@
 //! A description as a document.
 
-use impact_pair_document::{
+use impact_pair::json::{
     DESCRIPTION_SCHEMA, DescribedExponent, DescriptionDocument, FateDocument, FateName, HorseshoeDocument,
     OutcomeDocument, PROGRAM, SceneDocument,
 };
 
 use super::Description;
-use crate::chaos::{Trap, Word as Block, entropy};
-use crate::mapping::Word;
-use crate::orbit::Period;
-use crate::sweep::{exponent, limit};
-use crate::{Error, Scene};
+use impact_pair::chaos::{Trap, Word as Block, entropy};
+use impact_pair::mapping::Word;
+use impact_pair::orbit::Period;
+use impact_pair::sweep::{exponent, limit};
+use impact_pair::{Error, Scene};
 
 /// Events up to which the orbit is part of the document.
 const MOST_EVENTS: usize = 4096;

@@ -8,12 +8,12 @@
 use std::ops::ControlFlow;
 
 use super::schedule::TradeArithmetic;
-use crate::exact::{Dyadic, Enclosure};
-use crate::orbit::{Arithmetic, Impact, Orbit, Progress, Rest, Settings};
-use crate::pair::Wall;
-use crate::scales::{Scales, Size, Unit};
-use crate::watch::Watch;
-use crate::{Error, Scene};
+use impact_pair::exact::{Dyadic, Enclosure};
+use impact_pair::orbit::{Arithmetic, Impact, Orbit, Progress, Rest, Settings};
+use impact_pair::pair::Wall;
+use impact_pair::scales::{Scales, Size, Unit};
+use impact_pair::watch::Watch;
+use impact_pair::{Error, Scene};
 
 /// Digits of the truth: far beyond what doubles hold.
 const DIGITS: u32 = 30;
@@ -200,7 +200,7 @@ pub(super) fn judge_float(
 mod tests {
     use super::*;
 
-    use crate::tests::scene;
+    use crate::scenes::scene;
 
     /// Floats and truths of the first impacts of figure 14.
     fn readings(impacts: u64) -> (Scales<Unit>, Vec<Reading>, Vec<Reading>) {
@@ -245,7 +245,8 @@ mod tests {
         let scene = scene("chatter");
         let requested = Settings { impacts: Some(60), ..scene.settings() };
         let judgement =
-            judge_float(&scene, &requested, &Scales::of(&scene).unwrap().units(), &crate::watch::Unwatched).unwrap();
+            judge_float(&scene, &requested, &Scales::of(&scene).unwrap().units(), &impact_pair::watch::Unwatched)
+                .unwrap();
         assert!((6..60).contains(&judgement.judged) && judgement.departure.is_none(), "{judgement:?}");
         assert!(judgement.crossings.iter().all(|crossing| crossing.exceeded.is_none()));
     }

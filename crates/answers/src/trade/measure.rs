@@ -4,14 +4,14 @@ use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use impact_pair_document::ArithmeticDocument;
+use impact_pair::json::ArithmeticDocument;
 
 use super::schedule::TradeArithmetic;
-use crate::orbit::{Conclusion, Event};
-use crate::orbit::{Impact, Orbit, Settings};
-use crate::scales::{Scales, Size, Unit};
-use crate::watch::{Silent, Watch};
-use crate::{Error, Scene};
+use impact_pair::orbit::{Conclusion, Event};
+use impact_pair::orbit::{Impact, Orbit, Settings};
+use impact_pair::scales::{Scales, Size, Unit};
+use impact_pair::watch::{Silent, Watch};
+use impact_pair::{Error, Scene};
 
 /// Runs are repeated until those without and with bounds, and their preparations, have taken this time together, ...
 const MIN_TOTAL_TIME: Duration = Duration::from_millis(400);
@@ -204,7 +204,7 @@ fn median(mut times: Vec<Duration>) -> Duration {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::watch::Unwatched;
+    use impact_pair::watch::Unwatched;
 
     #[test]
     fn the_median_is_in_the_middle() {
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn widths_are_those_of_the_enclosures() {
-        let scene = crate::tests::scene("figure-12-exact");
+        let scene = crate::scenes::scene("figure-12-exact");
         let (requested, units) =
             (Settings { impacts: Some(5), ..scene.settings() }, Scales::of(&scene).unwrap().units());
         let of = |arithmetic| measure(&scene, arithmetic, &requested, &units, &Unwatched).unwrap().unwrap();

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::orbit::{Arithmetic, BITS, Settings};
+use impact_pair::orbit::{Arithmetic, BITS, Settings};
 
 /// Digits that are requested of `auto`.
 const DIGITS: [u32; 5] = [3, 9, 15, 30, 100];

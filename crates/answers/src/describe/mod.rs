@@ -9,13 +9,15 @@ mod orbit;
 mod question;
 #[cfg(test)]
 mod tests;
+mod verb;
 
-use crate::chaos::{Chaos, HorseshoeSettings, Trap};
-use crate::orbit::MAX_BITS;
-use crate::watch::{Latched, Watch};
-use crate::{Effort, Error, Scene};
+use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap};
+use impact_pair::orbit::MAX_BITS;
+use impact_pair::watch::{Latched, Watch};
+use impact_pair::{Effort, Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
+pub use verb::{DescribeOptions, Described};
 
 /// Limits within which the questions are examined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +79,7 @@ enum Horseshoe {
 ///
 /// ```
 /// use impact_pair::Scene;
-/// use impact_pair::describe::{Request, describe};
+/// use impact_pair_answers::{Request, describe};
 /// use impact_pair::json::FateName;
 /// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"

@@ -1,7 +1,7 @@
 use super::*;
-use crate::tests::scene_of as scene;
-use crate::watch::{Stage, Unwatched, proceed_if};
-use impact_pair_document::{DescriptionDocument, FateName};
+use crate::scenes::scene_of as scene;
+use impact_pair::json::{DescriptionDocument, FateName};
+use impact_pair::watch::{Stage, Unwatched, proceed_if};
 
 fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
     let excitation = format!("amplitude = {amplitude}, frequency = \"pi\", phase = 0");
@@ -168,7 +168,7 @@ fn the_lines_are_those_of_the_document() {
 /// The command that goes on where a motion stays in a region leads further: it proves the convergence, where more impacts do.
 #[test]
 fn r62_more_impacts_are_the_next_step_of_a_motion_in_a_region() {
-    let scene = Scene::parse(include_str!("../../scenes/figure-14-sink.toml")).unwrap();
+    let scene = Scene::parse(include_str!("../../../../scenes/figure-14-sink.toml")).unwrap();
     let describe = |impacts: u64| {
         let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
         let request = Request { impacts, ..Request::default() };

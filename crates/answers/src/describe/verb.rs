@@ -6,11 +6,11 @@ use anyhow::Result;
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::chaos::MOST_DEPTH;
-use impact_pair::describe::{Description, Request, describe, lines};
 use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::watch::Watch;
 
+use super::{Description, Request, describe, lines};
 use crate::values::{bits, count, whole};
 use crate::{Answer, Asked, Failure, Format, Status, Verb, heading, line};
 
