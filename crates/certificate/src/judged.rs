@@ -107,7 +107,7 @@ impl Claims {
 
     /// What is said of each value of the document, but for those of documents in it: its key without positions in lists, the lemmas that
     /// check it, and why it is not checked, or where.
-    pub fn keys(&self) -> Vec<(String, &'static str, Vec<&'static str>)> {
+    pub fn keys(&self) -> Vec<(String, &'static str, &'static str)> {
         let mut rows = Vec::new();
         let marks = self.certificate().map(Checked::marks);
         let own = if let Of::Description(certificate) = &self.of { Some(certificate.marks()) } else { marks };

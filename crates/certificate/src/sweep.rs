@@ -65,7 +65,7 @@ impl SweepCertificate {
         let point = |(i, value)| {
             let place = Place::at(format!("points[{i}]"), value);
             let record: SweepRecord = place.read()?;
-            lines.get_or_insert_with(|| marks::point(&record));
+            lines.get_or_insert_with(|| marks::each(std::slice::from_ref(&record), marks::point));
             let mut claimed = ClaimedOrbit::of(&head, (&axes, reference), &record, &place)?;
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");

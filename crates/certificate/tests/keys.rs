@@ -31,10 +31,10 @@ fn said() -> BTreeMap<String, BTreeMap<String, Said>> {
         let Ok(claims) = Claims::parse(&text(&lines)) else { continue };
         let Some(schema) = lines[0]["schema"].as_str() else { continue };
         let keys = schemas.entry(schema.to_owned()).or_default();
-        for (key, by, whys) in claims.keys() {
+        for (key, by, why) in claims.keys() {
             let [all_by, all_whys] = keys.entry(key).or_default();
             all_by.extend(Some(by.to_owned()).filter(|by| !by.is_empty()));
-            all_whys.extend(whys.into_iter().filter(|why| !why.is_empty()).map(str::to_owned));
+            all_whys.extend(Some(why.to_owned()).filter(|why| !why.is_empty()));
         }
     }
     schemas

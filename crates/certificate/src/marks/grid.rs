@@ -7,7 +7,7 @@ use super::chaos::{REQUEST, period};
 use super::global::{AREA, ORDER, SPEED, class_of, component};
 use super::orbit::{PROGRAM, READ, arithmetic};
 use super::scene::{Unused, scene};
-use super::{Mark, checked, claimed, each, fields, items, setting};
+use super::{Mark, checked, claimed, each, fields, items, list, setting};
 use crate::atlas::Part;
 
 /// The part of a grid that the points of a document determine.
@@ -152,8 +152,8 @@ pub(crate) fn record<'p>(document: &AtlasRecord, parts: &mut impl Iterator<Item 
             components: open(items(&document.components, own)).here(),
             order: open(claimed(ORDER)),
             stable: each(&document.stable, |own| period(own, "V38")),
-            quarters: items(&quarters, Mark::clone),
+            quarters: list(quarters),
         }
     );
-    if !is_said && quarters.is_empty() { setting(nothing).here() } else { result }
+    if !is_said && document.quarters.is_empty() { setting(nothing).here() } else { result }
 }

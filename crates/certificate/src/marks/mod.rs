@@ -19,9 +19,6 @@ pub(super) use orbit::{description, orbit};
 pub(super) use periodic::{bifurcations, cycles, periodic, two_impact, windows};
 pub(super) use tangency::tangency;
 
-/// A key, the lemmas that check its value, and why it is not checked, or where.
-pub(super) type KeySaid = (String, &'static str, Vec<&'static str>);
-
 /// The key of the marks of the lines that follow a head: these have a list of their own.
 pub(super) const LINES: &str = "[]";
 
@@ -86,15 +83,20 @@ macro_rules! fields {
 }
 pub(super) use fields;
 
-/// A list whose items have one mark.
+/// A list whose items have one mark: nothing in it depends on the item, or on what it has.
 pub(super) fn each<T>(items: &[T], mark: impl Fn(&T) -> Mark) -> Mark {
     let within = items.first().map_or(Within::Same, |first| Within::Each(Box::new(mark(first))));
     Mark { within, ..checked("") }
 }
 
+/// A list whose items have these marks.
+pub(super) fn list(marks: Vec<Mark>) -> Mark {
+    Mark { within: Within::Items(marks), ..checked("") }
+}
+
 /// A list whose items have marks of their own.
 pub(super) fn items<'t, T: 't>(items: impl IntoIterator<Item = &'t T>, mark: impl Fn(&T) -> Mark) -> Mark {
-    Mark { within: Within::Items(items.into_iter().map(mark).collect()), ..checked("") }
+    list(items.into_iter().map(mark).collect())
 }
 
 /// A struct that may not be there.
@@ -174,19 +176,20 @@ impl Mark {
         self
     }
 
-    /// What is said of each value that has no values in it: its key without positions in lists, what checks it, and where it is not checked.
-    pub fn rows(&self, path: &str, rows: &mut Vec<KeySaid>) {
-        let first = rows.len();
+    /// What is said of the values at each key, without positions in lists: what checks it, and why it is not checked, or where.
+    pub fn rows(&self, path: &str, rows: &mut Vec<(String, &'static str, &'static str)>) {
+        if !(self.by.is_empty() && self.why.is_empty()) {
+            rows.push((path.to_owned(), self.by, self.why));
+        }
         match &self.within {
             Within::Fields(fields) => fields.iter().for_each(|(key, mark)| match (path, *key) {
+                ("", LINES) => mark.rows("points", rows),
                 ("", key) => mark.rows(key, rows),
-                (path, LINES) => mark.rows(path, rows),
                 (path, key) => mark.rows(&format!("{path}.{key}"), rows),
             }),
             Within::Items(marks) => marks.iter().for_each(|mark| mark.rows(path, rows)),
             Within::Each(mark) => mark.rows(path, rows),
-            Within::Same => return rows.push((path.to_owned(), self.by, vec![self.why])),
+            Within::Same => {}
         }
-        rows[first..].iter_mut().for_each(|(_, _, whys)| whys.push(self.why));
     }
 }

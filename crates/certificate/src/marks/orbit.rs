@@ -9,7 +9,7 @@ use impact_pair_model::vocabulary::OutcomeKind;
 
 use super::periodic::{InPlace, periodic_orbit};
 use super::scene::{Unused, scene};
-use super::{Mark, checked, claimed, each, fields, items, optional, setting};
+use super::{Mark, checked, claimed, each, fields, list, optional, setting};
 
 pub(super) const READ: &str = "read: no other is checked";
 pub(super) const PROGRAM: &str = "the program that wrote it";
@@ -60,7 +60,7 @@ fn outcome(document: &OutcomeDocument) -> Mark {
         |own: &EpsilonDocument| fields!(own, EpsilonDocument { median: checked("V10"), maximum: checked("V10") });
     let is_decided = document.kind != OutcomeKind::Undecided;
     let why = "of an undecided end: it only says where the orbit stopped";
-    let ends = [checked("V7"), setting("the next contact, where it is too wide to be listed")];
+    let ends = || vec![checked("V7"), setting("the next contact, where it is too wide to be listed")];
     fields!(
         document,
         OutcomeDocument {
@@ -73,7 +73,7 @@ fn outcome(document: &OutcomeDocument) -> Mark {
             start: optional(document.start.as_ref(), near),
             epsilon: optional(document.epsilon.as_ref(), distances),
             wall: checked("V5").used(is_decided, why),
-            time: optional(document.time.as_ref(), |_| items(&ends, Mark::clone)),
+            time: optional(document.time.as_ref(), |_| list(ends())),
             period: optional(document.period.as_ref(), repeated),
             word: checked("V6"),
             cycles: checked("V6"),

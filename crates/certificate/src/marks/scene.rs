@@ -36,7 +36,7 @@ impl Unused {
     }
 
     fn own(&self, is: fn(&Key) -> bool) -> Mark {
-        checked(DATA).used(!self.varied.iter().any(is), VARIED)
+        unless(self.varied.iter().any(is), VARIED)
     }
 
     /// A list of the terms: of one parameter, which has a number where there are several.
@@ -48,21 +48,26 @@ impl Unused {
         let number = |key: &Key| key.term().map_or(0, |term| usize::from(term.get()) - 1);
         let is_varied = |term: usize| varied.iter().any(|key| number(key) == term);
         let used: Vec<bool> = (0..all.len()).map(|term| !is_varied(term)).collect();
-        items(&used, |&is_used| checked(DATA).used_here(is_used, VARIED))
+        items(&used, |&is_used| unless(!is_used, VARIED).here())
     }
+}
+
+/// A value of the scene, which claims nothing where it is not used.
+fn unless(is_unused: bool, why: &'static str) -> Mark {
+    if is_unused { checked(DATA).used(false, why) } else { checked(DATA) }
 }
 
 /// The scene of a document.
 pub(crate) fn scene(document: &SceneDocument, unused: &Unused) -> Mark {
     let terms = &document.excitation;
+    let frequency = unused.terms(&terms.frequency, |key| matches!(key, Key::Frequency(_)));
+    let phase = unused.terms(&terms.phase, |key| matches!(key, Key::Phase(_)));
     let excitation = fields!(
         terms,
         ExcitationDocument {
             amplitude: unused.terms(&terms.amplitude, |key| matches!(key, Key::Amplitude(_))),
-            frequency: unused
-                .terms(&terms.frequency, |key| matches!(key, Key::Frequency(_)))
-                .used(!unused.frequency, UNIT),
-            phase: unused.terms(&terms.phase, |key| matches!(key, Key::Phase(_))).used(!unused.phase, ORIGIN),
+            frequency: if unused.frequency { unless(true, UNIT) } else { frequency },
+            phase: if unused.phase { unless(true, ORIGIN) } else { phase },
         }
     );
     let start = fields!(
@@ -80,13 +85,13 @@ pub(crate) fn scene(document: &SceneDocument, unused: &Unused) -> Mark {
             excitation: excitation,
             gap: unused.own(|key| *key == Key::Gap),
             restitution: unused.own(|key| *key == Key::Restitution),
-            start: start.used(!unused.start, START),
+            start: if unused.start { unless(true, START) } else { start },
         }
     )
 }
 
 /// A range of a parameter.
 pub(crate) fn range(document: &ParameterRange, are_ends_checked: bool) -> Mark {
-    let end = || checked(DATA).used(are_ends_checked, "the request: nothing says that all of it is covered");
+    let end = || unless(!are_ends_checked, "the request: nothing says that all of it is covered");
     fields!(document, ParameterRange { key: checked(DATA), low: end(), high: end() })
 }

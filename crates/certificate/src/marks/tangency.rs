@@ -7,7 +7,7 @@ use impact_pair_model::scene::Key;
 
 use super::orbit::{PROGRAM, READ};
 use super::scene::{Unused, scene};
-use super::{Mark, checked, each, fields, optional, setting};
+use super::{Mark, checked, each, fields, items, optional, setting};
 
 const SADDLE: &str = "V17, V29";
 const TANGENCY: &str = "V18, V19, V31; of data that are intervals V32";
@@ -25,7 +25,7 @@ pub(crate) fn tangency(document: &TangencyDocument, varied: Vec<Key>) -> Mark {
             scene: scene(&document.scene, &unused),
             interrupted: setting("the search was cut short"),
             limited: setting("the search was cut short"),
-            tangencies: each(&document.tangencies, one),
+            tangencies: items(&document.tangencies, one),
             undecided: setting("what the search leaves open"),
         }
     )
