@@ -156,9 +156,7 @@ class SweepResult(GridResult):
         self.require_whole()
         return _cf.sweep(self)
 
-    def on_map(
-        self, *, by_word: bool = False
-    ) -> tuple[list[int | None], list[str], list[tuple[str, str]], list[tuple[float, float, str]]]:
+    def on_map(self, *, by_word: bool = False) -> tuple[list[int | None], list[str], list[tuple[str, str]], list[tuple[float, float, str]]]:
         """Return what a map over two keys shows: the number of each point's kind of outcome, and the colours of the kinds.
 
         Then the legend, colours with names, and where attractors hit the left wall first, phase and velocity with their colour. Attractors
