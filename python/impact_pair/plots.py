@@ -413,7 +413,7 @@ def _categories(found: SweepResult, ax: Any, edges: list[Doubles], shape: list[i
     numbers, colours, legend, rings = found.on_map(by_word=by_word)
     order = ListedColormap(colours)
     ax.pcolormesh(*edges, np.reshape(numbers, shape).T, cmap=order, vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True)
-    ring = {"marker": "o", "markersize": 7, "markeredgecolor": "black", "linestyle": "none"}
+    ring: dict[str, Any] = {"marker": "o", "markersize": 7, "markeredgecolor": "black", "linestyle": "none"}
     entries: list[Any] = [Patch(facecolor=colour, edgecolor="black", linewidth=0.4, label=name) for colour, name in legend]
     entries += [Line2D([], [], markerfacecolor="white", label=RING, **ring)] if rings else []
     ax.legend(handles=entries, fontsize="x-small", loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2, frameon=False)
