@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import itertools
 import json
 import os
 import time
@@ -22,11 +21,11 @@ import numpy as np
 
 from ._exact import Value, doubles_near, text, whole
 from ._progress import Progress, reporting
-from ._store import Chunks, Files, Memory
 from .bounds import doubles
 from .errors import Error, Interrupted, RangeError
 
 if TYPE_CHECKING:
+    from . import _core
     from .bounds import Doubles
 
 #: The largest ratio of a chunk to the last ones: the first ones determine the rate.
@@ -35,6 +34,8 @@ GROWTH = 8
 AHEAD = 2
 #: The last chunks are smaller, so that workers end together: this number for each.
 TAIL = 4
+#: Points whose lines are read at a time.
+BLOCK = 4096
 
 
 class Core(Protocol):
@@ -50,8 +51,14 @@ class Core(Protocol):
     def head(self) -> str:
         """Return the first line."""
 
-    def compute(self, range: tuple[int, int], threads: int, progress: Any) -> bytes:
-        """Return the lines of the points from the first up to the last."""
+    def compute(self, first: int, last: int) -> bytes:
+        """Return the lines of the points from the first up to the last, computed on one thread."""
+
+    def journal(self, path: str | None = None) -> _core.Journal:
+        """Return the journal in a file, a new one where there is none, or one that is gone with this process."""
+
+    def complete(self, journal: _core.Journal, progress: Any) -> None:
+        """Compute what a journal lacks, by all processors of this process."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +86,7 @@ def compute(question: Question, first: int, last: int, key: str) -> tuple[bytes,
     core = question.core()
     if question.key() != key:
         raise Error(f"a worker has another version, {json.loads(core.head())['program']}: all must have one")
-    lines = core.compute((first, last), 1, None)
+    lines = core.compute(first, last)
     if lines.count(b"\n") < last - first:
         # Ctrl-C in a terminal is sent to the workers as well.
         raise KeyboardInterrupt
@@ -122,20 +129,23 @@ def computed(
     resume: str | os.PathLike[str] | None = None,
     seconds: float = 10.0,
     progress: Progress = None,
-) -> Chunks:
+) -> _core.Journal:
     """Compute all points, or those that are finished when Ctrl-C comes."""
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise RangeError(f"executor is {executor!r}, but must be a concurrent.futures.Executor", "executor", repr(executor))
     core = question.core()
     core.check()
-    chunks: Chunks = Memory() if resume is None else Files(Path(resume) / question.key(), core.head())
+    if resume is not None:
+        Path(resume).mkdir(parents=True, exist_ok=True)
+    journal = core.journal(None if resume is None else str(Path(resume) / f"{question.key()}.partial"))
     count = workers or workers_of(executor)
-    with reporting(progress, "points", core.points) as report:
-        run = Run(question, chunks, core.points, Rate(seconds, count), report)
-        # Finished points are kept.
-        with contextlib.suppress(KeyboardInterrupt):
-            run.here(core) if executor is None else run.on(executor)
-    return chunks
+    # Finished points are kept.
+    with reporting(progress, "points", core.points) as report, contextlib.suppress(KeyboardInterrupt):
+        if executor is None:
+            core.complete(journal, report)
+        else:
+            Run(question, journal, core.points, Rate(seconds, count), report).on(executor)
+    return journal
 
 
 def spread(key: str, given: Any) -> tuple[Value, Value, int]:
@@ -180,20 +190,12 @@ def workers_of(executor: Executor | None) -> int:
     return int(getattr(executor, "_max_workers", None) or os.cpu_count() or 1)
 
 
-def stretches(lines: bytes) -> Iterator[tuple[int, int, bytes]]:
-    """Yield the lines of points that follow one another: the first point, the one after the last, and the lines."""
-    found: list[tuple[int, bytes]] = [(json.loads(line)["point"], line) for line in lines.splitlines(keepends=True)]
-    for _, part in itertools.groupby(enumerate(found), lambda numbered: numbered[1][0] - numbered[0]):
-        points = [line for _, line in part]
-        yield points[0][0], points[-1][0] + 1, b"".join(line for _, line in points)
-
-
 class Run:
-    """A sweep at work."""
+    """A sweep at work, by an executor."""
 
-    def __init__(self, question: Question, chunks: Chunks, points: int, rate: Rate, report: Any) -> None:
-        self.question, self.chunks, self.rate = question, chunks, rate
-        self.gaps = chunks.missing(points)
+    def __init__(self, question: Question, journal: _core.Journal, points: int, rate: Rate, report: Any) -> None:
+        self.question, self.journal, self.rate = question, journal, rate
+        self.gaps = journal.missing()
         self.left = sum(last - first for first, last in self.gaps)
         self.done, self._report = points - self.left, report
 
@@ -209,23 +211,13 @@ class Run:
 
     def keep(self, first: int, last: int, lines: bytes, took: float) -> None:
         """Keep a finished chunk."""
-        self.chunks.add(first, last, lines)
+        if lines.count(b"\n") != last - first:
+            raise Error(f"a worker answered with {lines.count(10)} lines for the points from {first} up to {last}")
+        self.journal.add(lines.decode())
         self.rate.report(last - first, took)
         self.done += last - first
         if self._report:
             self._report(self.done)
-
-    def here(self, core: Core) -> None:
-        """Compute by all processors of this process."""
-        while self.gaps:
-            began, before = time.perf_counter(), self.done
-            first, last = self.next()
-            report = None if self._report is None else lambda points, before=before: self._report(before + points)
-            lines = core.compute((first, last), 0, report)
-            for start, end, part in stretches(lines):
-                self.keep(start, end, part, time.perf_counter() - began)
-            if lines.count(b"\n") < last - first:
-                return
 
     def on(self, executor: Executor) -> None:
         """Have it computed by the workers of an executor."""
@@ -255,8 +247,8 @@ class GridResult:
     #: The name of its kind, in a word.
     name = "grid"
 
-    def __init__(self, question: Question, chunks: Chunks) -> None:
-        self._question, self._chunks = question, chunks
+    def __init__(self, question: Question, journal: _core.Journal) -> None:
+        self._question, self._journal = question, journal
 
     @cached_property
     def _core(self) -> Any:
@@ -274,7 +266,7 @@ class GridResult:
         return self._missing() > 0
 
     def _missing(self) -> int:
-        return sum(last - first for first, last in self._chunks.missing(self.points))
+        return sum(last - first for first, last in self._journal.missing())
 
     def require_whole(self) -> None:
         """Raise :class:`Interrupted` where points are missing.
@@ -298,8 +290,11 @@ class GridResult:
         return self.points
 
     def lines(self) -> Iterator[bytes]:
-        """Yield the records as JSON Lines, chunk by chunk, in the order of the grid."""
-        return self._chunks.read()
+        """Yield the records as JSON Lines, some at a time, in the order of the grid."""
+        for first in range(0, self.points, BLOCK):
+            lines = self._journal.lines(first, min(first + BLOCK, self.points))
+            if lines:
+                yield lines
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         for lines in self.lines():
@@ -312,10 +307,14 @@ class GridResult:
         return f"<{self.name} over {' and '.join(self._question.over)}: {said}{missing}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        kept = Memory()
-        for (first, last), lines in zip(sorted(self._chunks.ranges()), self.lines(), strict=True):
-            kept.add(first, last, lines)
-        return type(self), (replace(self._question), kept)
+        return restored, (type(self), replace(self._question), b"".join(self.lines()))
+
+
+def restored(kind: type[GridResult], question: Question, lines: bytes) -> GridResult:
+    """Return the result that was pickled."""
+    journal = question.core().journal()
+    journal.add(lines.decode())
+    return kind(question, journal)
 
 
 def article(name: str) -> str:

@@ -18,7 +18,6 @@ from ._grid import GridResult, arrays, arrow, axes, computed, flat
 from ._progress import Progress
 
 if TYPE_CHECKING:
-    from ._store import Chunks
     from .bounds import Doubles
 
 #: The endings of files that an atlas is written into.
@@ -68,8 +67,8 @@ class AtlasResult(GridResult):
 
     name = "atlas"
 
-    def __init__(self, question: Question, chunks: Chunks) -> None:
-        super().__init__(question, chunks)
+    def __init__(self, question: Question, journal: _core.Journal) -> None:
+        super().__init__(question, journal)
 
     @property
     def complete(self) -> bool:

@@ -13,7 +13,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from . import _cf, _core, _grid
 from ._exact import Value
@@ -23,11 +23,13 @@ from ._progress import Progress
 from .errors import RangeError
 
 if TYPE_CHECKING:
-    from ._store import Chunks
     from .bounds import Doubles
 
 #: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
 Rows = Literal["mixed", "points", "states"]
+
+#: The number of each point's kind, the colours of kinds, the legend, and rings: phase, velocity, colour.
+_MapOutcomes: TypeAlias = "tuple[list[int], list[str], list[tuple[str, str]], list[tuple[float, float, str]]]"
 
 #: The endings of tables.
 TABLES = (".csv", ".parquet")
@@ -72,8 +74,8 @@ def sweep(
 
     ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
     without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
-    ``workers`` as it has. With ``resume`` finished chunks are kept in that folder under a hash of scene, grid and version: called again
-    after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
+    ``workers`` as it has. With ``resume`` finished points are kept in that folder, in a file named by a hash of scene, grid and version:
+    called again after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
     :class:`impact_pair.Stopped`, whose ``partial`` has the finished points and is ``interrupted``.
     """
     question = Question(scene, axes(over), **requested)
@@ -86,8 +88,8 @@ class SweepResult(GridResult):
 
     name = "sweep"
 
-    def __init__(self, question: Question, chunks: Chunks) -> None:
-        super().__init__(question, chunks)
+    def __init__(self, question: Question, journal: _core.Journal) -> None:
+        super().__init__(question, journal)
 
     @property
     def certified(self) -> bool:
@@ -156,13 +158,14 @@ class SweepResult(GridResult):
         self.require_whole()
         return _cf.sweep(self)
 
-    def on_map(self, *, by_word: bool = False) -> tuple[list[int | None], list[str], list[tuple[str, str]], list[tuple[float, float, str]]]:
+    def on_map(self, *, by_word: bool = False) -> _MapOutcomes:
         """Return what a map over two keys shows: the number of each point's kind of outcome, and the colours of the kinds.
 
         Then the legend, colours with names, and where attractors hit the left wall first, phase and velocity with their colour. Attractors
         of one pair are told apart by their states, or with ``by_word`` only by their words.
         """
-        return self._core.outcomes(b"".join(self.lines()), by_word)
+        found: _MapOutcomes = self._core.outcomes(b"".join(self.lines()), by_word)
+        return found
 
     def svg(self, show: str = "phase") -> str:
         """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""

@@ -1,5 +1,7 @@
 //! Atlases: points and tiles are pure functions of the exact scene and their number.
 
+use std::path::PathBuf;
+
 use impact_pair::atlas::{self, Plane, columns, csv_head, csv_rows};
 use impact_pair::chaos::{Global, GlobalSettings, MOST_DEPTH};
 use impact_pair::json::{AtlasHead, AtlasRecord};
@@ -11,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors::{Fault, accepted, effort_of};
-use crate::grid::{computed, dictionary};
+use crate::grid::{Journal, computed, dictionary};
 use crate::lines::{Lines, records};
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
@@ -85,16 +87,20 @@ impl Atlas {
         self.plane.points()
     }
 
-    /// The lines of the points from `first` up to `last`, by this number of threads; after Ctrl-C those that are finished.
-    fn compute<'py>(
-        &self,
-        py: Python<'py>,
-        range: (u64, u64),
-        threads: usize,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<Bound<'py, PyBytes>> {
-        let range = (range.0, range.1.min(self.plane.points()));
-        computed(py, range, threads, progress, |point, monitor| self.line(point, monitor))
+    /// The lines of the points from the first up to the last, as a worker computes them; after Ctrl-C those that are finished.
+    fn compute<'py>(&self, py: Python<'py>, first: u64, last: u64) -> PyResult<Bound<'py, PyBytes>> {
+        computed(py, (first, last.min(self.plane.points())), &|point, monitor| self.line(point, monitor))
+    }
+
+    /// The journal in a file, a new one where there is none; without a path in a file that is gone with the program.
+    #[pyo3(signature = (path=None))]
+    fn journal(&self, path: Option<PathBuf>) -> PyResult<Journal> {
+        Journal::open(self.head.clone(), path)
+    }
+
+    /// Computes what a journal lacks, by all processors; after Ctrl-C what is finished is there.
+    fn complete(&self, py: Python<'_>, journal: &Bound<'_, Journal>, progress: Option<Py<PyAny>>) -> PyResult<()> {
+        journal.get().complete(py, self.plane.points(), progress, &|point, monitor| self.line(point, monitor))
     }
 
     /// Lines as a table of CSV, without the names of columns, which are there as a line of their own.

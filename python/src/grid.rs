@@ -1,32 +1,122 @@
-//! Shared parts of sweeps and atlases: points computed by threads, and tables as columns.
+//! Shared parts of sweeps and atlases: points computed and kept, and tables as columns.
 
-use impact_pair::sweep::{Cell, Kind, doubles};
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard};
+
+use anyhow::Result;
+use impact_pair::sweep::{Cell, Head, Kind, doubles};
+use impact_pair::watch::Watch;
+use impact_pair_answers::grid::{self, Task};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
-use rayon::prelude::*;
 
 use crate::errors::Fault;
 use crate::numbers::bytes;
 use crate::watched::{Monitor, watched};
 
-/// The lines of the points from the first up to the last, by this number of threads; after Ctrl-C those that are finished.
-pub fn computed<'py>(
-    py: Python<'py>,
-    (first, last): (u64, u64),
-    threads: usize,
-    progress: Option<Py<PyAny>>,
-    line: impl Fn(u64, &Monitor) -> Result<Option<String>, Fault> + Sync,
-) -> PyResult<Bound<'py, PyBytes>> {
-    let points: Vec<u64> = (first..last).collect();
-    let lines: Vec<Option<String>> = watched(py, progress, |monitor| {
-        if threads == 1 {
-            return points.into_iter().map(|point| line(point, monitor)).collect();
+/// Computes the line of a point; `None` where it was stopped.
+type Line<'l> = &'l (dyn Fn(u64, &Monitor) -> Result<Option<String>, Fault> + Sync);
+
+/// The finished points of a grid, as the command line keeps them.
+#[pyclass(frozen, module = "impact_pair._core")]
+pub struct Journal(Mutex<Box<dyn Kept>>);
+
+/// A journal of a sweep or of an atlas.
+trait Kept: Send {
+    fn missing(&self) -> Vec<u64>;
+    fn add_lines(&mut self, lines: &str) -> Result<()>;
+    fn lines(&mut self, first: u64, last: u64) -> Result<String>;
+    fn complete(&mut self, task: Task<'_>, watch: &dyn Watch) -> Result<()>;
+}
+
+impl<H: Head + Send> Kept for grid::Journal<H> {
+    fn missing(&self) -> Vec<u64> {
+        self.missing()
+    }
+
+    fn add_lines(&mut self, lines: &str) -> Result<()> {
+        self.add_lines(lines)
+    }
+
+    fn lines(&mut self, first: u64, last: u64) -> Result<String> {
+        let mut text = String::new();
+        for point in first..last {
+            if self.holds(point) {
+                text += &self.line(point)?;
+                text.push('\n');
+            }
         }
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| Fault::other(format!("cannot start the threads: {error}")))?;
-        // A point at a time, so that no thread is left with the slow ones.
-        pool.install(|| points.into_par_iter().with_max_len(1).map(|point| line(point, monitor)).collect())
-    })?;
+        Ok(text)
+    }
+
+    fn complete(&mut self, task: Task<'_>, watch: &dyn Watch) -> Result<()> {
+        grid::complete(self, None, task, (watch, &|| ()))
+    }
+}
+
+impl Journal {
+    /// The journal in a file, or in one that is gone with the program.
+    pub fn open<H: Head + Send + 'static>(head: H, path: Option<PathBuf>) -> PyResult<Self> {
+        let kept = grid::Journal::kept(head, path).map_err(said)?;
+        Ok(Self(Mutex::new(Box::new(kept))))
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Box<dyn Kept>> {
+        self.0.lock().expect("no thread has panicked")
+    }
+
+    /// Computes the points that are missing, by all processors; after Ctrl-C those that are finished are there.
+    pub fn complete(&self, py: Python<'_>, points: u64, progress: Option<Py<PyAny>>, line: Line<'_>) -> PyResult<()> {
+        watched(py, progress, |monitor| {
+            let mut kept = self.kept();
+            monitor.report(points - kept.missing().len() as u64);
+            // The first fault keeps its class.
+            let fault = Mutex::new(None);
+            let task = |point: u64| {
+                line(point, monitor).map_err(|own| {
+                    fault.lock().expect("no thread has panicked").get_or_insert(own);
+                    anyhow::anyhow!("a point is refused")
+                })
+            };
+            let done = kept.complete(&task, monitor);
+            match fault.into_inner().expect("no thread has panicked") {
+                Some(fault) => Err(fault),
+                None => done.map_err(said),
+            }
+        })
+    }
+}
+
+#[pymethods]
+impl Journal {
+    /// The ranges of missing points: the first, and the one after the last.
+    fn missing(&self) -> Vec<(u64, u64)> {
+        let points = self.kept().missing();
+        let ranges = points.chunk_by(|point, next| point + 1 == *next);
+        ranges.map(|range| (range[0], range[range.len() - 1] + 1)).collect()
+    }
+
+    /// Adds the lines of points that a worker has computed; from now on a crash does not lose them.
+    fn add(&self, lines: &str) -> PyResult<()> {
+        Ok(self.kept().add_lines(lines).map_err(said)?)
+    }
+
+    /// The lines of the points from the first up to the last that are there.
+    fn lines<'py>(&self, py: Python<'py>, first: u64, last: u64) -> PyResult<Bound<'py, PyBytes>> {
+        let lines = self.kept().lines(first, last).map_err(said)?;
+        Ok(PyBytes::new(py, lines.as_bytes()))
+    }
+}
+
+/// An error of a journal with its causes.
+fn said(error: anyhow::Error) -> Fault {
+    Fault::other(format!("{error:#}"))
+}
+
+/// The lines of the points from the first up to the last, as a worker computes them; after Ctrl-C those that are finished.
+pub fn computed<'py>(py: Python<'py>, (first, last): (u64, u64), line: Line<'_>) -> PyResult<Bound<'py, PyBytes>> {
+    let lines: Vec<Option<String>> =
+        watched(py, None, |monitor| (first..last).map(|point| line(point, monitor)).collect())?;
     let mut text = String::new();
     for line in lines.iter().flatten() {
         text.push_str(line);

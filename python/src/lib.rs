@@ -34,6 +34,8 @@ mod _core {
     #[pymodule_export]
     use super::flights::flights;
     #[pymodule_export]
+    use super::grid::Journal;
+    #[pymodule_export]
     use super::numbers::{bracket, outward};
     #[pymodule_export]
     use super::orbit::{Orbit, read_orbit, run};

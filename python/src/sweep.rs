@@ -1,5 +1,7 @@
 //! Sweeps: points are pure functions of the exact scene and their number.
 
+use std::path::PathBuf;
+
 use impact_pair::exact::Exact;
 use impact_pair::json::{SweepHead, SweepRecord};
 use impact_pair::orbit::{self, Settings};
@@ -12,7 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::errors::{Fault, accepted};
-use crate::grid::{computed, dictionary};
+use crate::grid::{Journal, computed, dictionary};
 use crate::lines::{Lines, records};
 use crate::pictures::drawn;
 use crate::scene::{Scene, json};
@@ -102,16 +104,20 @@ impl Sweep {
         self.grid.points()
     }
 
-    /// The lines of the points from `first` up to `last`, by this number of threads; after Ctrl-C those that are finished.
-    fn compute<'py>(
-        &self,
-        py: Python<'py>,
-        range: (u64, u64),
-        threads: usize,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<Bound<'py, PyBytes>> {
-        let range = (range.0, range.1.min(self.grid.points()));
-        computed(py, range, threads, progress, |point, monitor| self.line(point, monitor))
+    /// The lines of the points from the first up to the last, as a worker computes them; after Ctrl-C those that are finished.
+    fn compute<'py>(&self, py: Python<'py>, first: u64, last: u64) -> PyResult<Bound<'py, PyBytes>> {
+        computed(py, (first, last.min(self.grid.points())), &|point, monitor| self.line(point, monitor))
+    }
+
+    /// The journal in a file, a new one where there is none; without a path in a file that is gone with the program.
+    #[pyo3(signature = (path=None))]
+    fn journal(&self, path: Option<PathBuf>) -> PyResult<Journal> {
+        Journal::open(self.head.clone(), path)
+    }
+
+    /// Computes what a journal lacks, by all processors; after Ctrl-C what is finished is there.
+    fn complete(&self, py: Python<'_>, journal: &Bound<'_, Journal>, progress: Option<Py<PyAny>>) -> PyResult<()> {
+        journal.get().complete(py, self.grid.points(), progress, &|point, monitor| self.line(point, monitor))
     }
 
     /// Lines as a table of CSV, without the names of columns, which are there as a line of their own.
@@ -138,7 +144,7 @@ impl Sweep {
         watched_whole(py, None, |_| drawn(svg(&mut Lines { head: &self.head, lines }, show, None, &Look::default())))
     }
 
-    /// The outcomes of a map, attractors of one pair told apart unless `by_word`: for each point the number of its kind, the colours of kinds, the
+    /// The outcomes of a map, attractors of one pair told apart unless `by_word`: for each point that is there the number of its kind, the colours of kinds, the
     /// legend, and where attractors hit the left wall first, with their colours.
     fn outcomes(&self, py: Python<'_>, lines: &[u8], by_word: bool) -> PyResult<MapOutcomes> {
         watched_whole(py, None, |_| {
@@ -146,7 +152,12 @@ impl Sweep {
             let legend = found.legend().into_iter().map(|(colour, name)| (hex(colour), name)).collect();
             let rings =
                 found.rings().into_iter().map(|([phase, velocity], colour)| (phase, velocity, hex(colour))).collect();
-            Ok((found.points, found.colours.into_iter().map(hex).collect(), legend, rings))
+            Ok((
+                found.points.into_iter().flatten().collect(),
+                found.colours.into_iter().map(hex).collect(),
+                legend,
+                rings,
+            ))
         })
     }
 
@@ -161,7 +172,7 @@ impl Sweep {
 }
 
 /// The kind of each point, colours of kinds, the legend, and rings.
-type MapOutcomes = (Vec<Option<usize>>, Vec<String>, Vec<(String, String)>, Vec<(f64, f64, String)>);
+type MapOutcomes = (Vec<usize>, Vec<String>, Vec<(String, String)>, Vec<(f64, f64, String)>);
 
 /// The table of these rows.
 fn table(rows: &str) -> Result<Table, Fault> {

@@ -150,18 +150,20 @@ def test_what_is_finished_is_kept_and_gone_on_with(files, tmp_path):
     scene = Scene.named("figure-14")
     with pytest.raises(impact_pair.Interrupted, match="gone"):
         scene.sweep(OVER, **ASKED, executor=Mortal(6), workers=1, seconds=0.02, resume=tmp_path)
-    [folder] = tmp_path.iterdir()
-    kept = sorted(folder.glob("0*.jsonl"))
-    assert kept
-    # A damaged chunk, a torn one and what is left of a draft are not taken.
-    kept[-1].write_bytes(kept[-1].read_bytes()[:-20])
-    (folder / f".{kept[0].name}.1").write_text("torn")
+    [journal] = tmp_path.iterdir()
+    kept = journal.read_bytes()
+    # A damaged line is refused; a torn one is forgotten, and its point computed again.
+    journal.write_bytes(kept.replace(b'"point":1,', b'"point":2,', 1))
+    with pytest.raises(impact_pair.Error, match="it is corrupted"):
+        scene.sweep(OVER, **ASKED, resume=tmp_path)
+    journal.write_bytes(kept[:-20])
     computed = []
     with ThreadPoolExecutor(1) as executor:
         found = scene.sweep(OVER, **ASKED, executor=executor, seconds=0.02, resume=tmp_path, progress=computed.append)
     assert saved(found, tmp_path, "csv") == files["csv"]
-    assert computed[0] > int(kept[-1].name[13:25]) - int(kept[-1].name[:12])
-    # Nothing is left to compute; another question has another folder.
+    # Its head, and the torn one.
+    assert computed[0] > kept.count(b"\n") - 2
+    # Nothing is left to compute; another question has another file.
     assert saved(scene.sweep(OVER, **ASKED, executor=Mortal(0), resume=tmp_path), tmp_path, "jsonl") == files["jsonl"]
     with pytest.raises(impact_pair.Interrupted):
         scene.sweep(OVER, transient=51, impacts=20, executor=Mortal(0), resume=tmp_path)
@@ -254,9 +256,9 @@ def test_r35_ctrl_c_keeps_the_finished_points_of_a_sweep(is_kept, tmp_path):
         over = {"amplitude": (1, 10, 10**6)}
         core = Question(Scene.named("figure-14").text, tuple(f"{key}={a}..{b}:{n}" for key, (a, b, n) in over.items()), *ASKED.values(),
                         6, "auto", 100_000, False)  # fmt: skip
-        [folder] = tmp_path.iterdir()
-        assert folder.name == core.key()
-        assert sum(int(path.name[13:25]) - int(path.name[:12]) for path in folder.glob("0*.jsonl")) == int(points)
+        [journal] = tmp_path.iterdir()
+        assert journal.name == f"{core.key()}.partial"
+        assert journal.read_bytes().count(b"\n") == int(points) + 1
 
 
 class Stopped(ThreadPoolExecutor):

@@ -13,13 +13,13 @@ use impact_pair::atlas::{self, Plane};
 use impact_pair::chaos::Global;
 use impact_pair::json::AtlasHead;
 
-use crate::grid::record::line;
 use crate::grid::{Gathered, Work, answered, named, open_once};
 use crate::output::{Output, note};
 use crate::progress::Interruption;
 use crate::scene::{self, ranged};
 use crate::{Answer, ending};
 use arguments::{AtlasArguments, AtlasFormat};
+use impact_pair_answers::grid::line;
 use tally::Classes;
 
 pub fn atlas(arguments: &AtlasArguments) -> Result<Answer> {

@@ -12,8 +12,8 @@ use impact_pair_plot::records::Records;
 
 use super::arguments::{AtlasFormat, is_page};
 use crate::grid::Gathered;
-use crate::grid::record::line;
 use crate::output::Output;
+use impact_pair_answers::grid::line;
 
 /// Writes the table, the picture or the page.
 pub fn write(atlas: &mut Gathered<AtlasHead>, out: &mut Output, format: AtlasFormat, look: &Look) -> Result<()> {

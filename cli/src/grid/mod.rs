@@ -1,10 +1,8 @@
 //! The common part of `sweep` and `atlas`: points of a grid, computed by all threads or in shards, kept on disk, and written as tables.
 
-pub mod journal;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod points;
-pub mod record;
 mod shard;
 pub mod work;
 

@@ -13,8 +13,8 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
 use super::Gathered;
-use super::record;
 use crate::output::Output;
+use impact_pair_answers::grid::line;
 
 /// Rows that are kept in memory and written as one group.
 const ROW_GROUP_SIZE: usize = 1 << 16;
@@ -41,7 +41,7 @@ pub fn write<H: Head>(
     rows: impl for<'r> Fn(&'r H::Record) -> Rows<'r>,
 ) -> Result<()> {
     let schema = parse_message_type(&schema(columns)).context("the columns make no schema")?;
-    let about = KeyValue::new(format!("impact-pair/{}", H::NAME), record::line(&points.head));
+    let about = KeyValue::new(format!("impact-pair/{}", H::NAME), line(&points.head));
     let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![about])).build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
     let empty: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();

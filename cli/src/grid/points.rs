@@ -4,10 +4,8 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use impact_pair::sweep::Head;
+use impact_pair_answers::grid::{Journal, difference, own};
 use impact_pair_plot::records::Records;
-
-use super::journal::{Journal, difference};
-use super::record::own;
 
 /// Points that lie in one journal, or in those of shards.
 pub struct Gathered<H: Head> {

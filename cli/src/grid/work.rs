@@ -3,19 +3,16 @@
 use std::fmt::Display;
 use std::io::{self, IsTerminal};
 use std::path::Path;
-use std::sync::Mutex;
-use std::thread;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Error, Result};
+use anyhow::{Context, Result};
 use impact_pair::exact::Exact;
 use impact_pair::json::counted;
 use impact_pair::scene::Key;
 use impact_pair::sweep::Head;
+use impact_pair_answers::grid::{Journal, Task, complete};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rayon::prelude::*;
 
-use super::journal::Journal;
 use super::points::Gathered;
 use super::shard::GridArguments;
 use crate::Answer;
@@ -24,13 +21,10 @@ use crate::output::note;
 use crate::progress::{Interruption, catch_interruption};
 use impact_pair::watch::Watch;
 
-/// The function that computes a point by its number: its record as one line; `None` if Ctrl-C came before it was done.
-pub type Point<'w> = &'w (dyn Fn(u64) -> Result<Option<String>> + Sync);
-
 /// A sweep or an atlas at work.
 pub struct Work<'w, H> {
     pub head: H,
-    pub point: Point<'w>,
+    pub point: Task<'w>,
     pub grid: &'w GridArguments,
     pub destination: &'w Destination,
 }
@@ -68,28 +62,9 @@ impl<H: Head + Sync + Send> Work<'_, H> {
 
     /// Computes what the journal lacks.
     fn complete(&self, journal: &mut Journal<H>, visible: bool) -> Result<()> {
-        let left = journal.missing();
-        let bar = progress(journal.points(), left.len() as u64, visible);
-        let threads = match self.grid.threads {
-            Some(threads) => usize::try_from(threads)?,
-            None => thread::available_parallelism().map_or(1, usize::from),
-        };
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.context("cannot start the threads")?;
-        let journal = Mutex::new(journal);
-        let each = |&point: &u64| {
-            // After Ctrl-C not even the first impact of another point is looked for.
-            if !Interruption.goes_on() {
-                return Ok(());
-            }
-            let Some(line) = (self.point)(point)? else { return Ok(()) };
-            let mut journal = journal.lock().expect("no thread has panicked");
-            journal.add(point, &line).context("cannot write a finished point")?;
-            bar.inc(1);
-            Ok(())
-        };
-        // A point at a time, so that no thread is left with the slow ones.
-        let done: Result<(), Error> = pool.install(|| left.par_iter().with_max_len(1).try_for_each(each));
+        let bar = progress(journal.points(), journal.missing().len() as u64, visible);
+        let threads = self.grid.threads.map(usize::try_from).transpose()?;
+        let done = complete(journal, threads, self.point, (&Interruption, &|| bar.inc(1)));
         bar.finish_and_clear();
         done
     }

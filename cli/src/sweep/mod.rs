@@ -16,14 +16,14 @@ use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
 use impact_pair_plot::records::Records;
 
 use crate::Answer;
-use crate::grid::journal::beside;
-use crate::grid::record::line;
 use crate::grid::{Gathered, Tally, Work, answered, named, open_once};
 use crate::output::{Output, note};
 use crate::progress::Interruption;
 use crate::scene::{self, ranged};
 use arguments::SweepArguments;
 use formats::Formats;
+use impact_pair_answers::grid::beside;
+use impact_pair_answers::grid::line;
 use write::write;
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {

@@ -11,8 +11,8 @@ use impact_pair_plot::records::Records;
 
 use super::arguments::SweepFormat;
 use crate::grid::Gathered;
-use crate::grid::record::line;
 use crate::output::Output;
+use impact_pair_answers::grid::line;
 
 /// Writes a table, or as JSON Lines, of which each holds a point with its states, all of it.
 pub fn write(sweep: &mut Gathered<SweepHead>, out: &mut Output, format: SweepFormat, table: Table) -> Result<()> {

@@ -29,6 +29,7 @@ pub mod describe;
 mod failure;
 mod global;
 mod graph;
+pub mod grid;
 mod heading;
 mod input;
 mod periodic;

@@ -38,6 +38,7 @@ struct Place {
 
 /// A file of records, and where each of them is.
 pub struct Journal<H: Head> {
+    /// All that the points depend on.
     pub head: H,
     file: File,
     places: BTreeMap<u64, Place>,
@@ -60,16 +61,29 @@ pub fn beside(output: &Path) -> Option<PathBuf> {
 }
 
 impl<H: Head> Journal<H> {
-    /// A new journal, or to `resume` that of an earlier sweep or atlas into the same output.
+    /// A new journal beside an output, or to `resume` that of an earlier sweep or atlas into the same output.
+    ///
+    /// # Errors
+    /// If there is one that is not to be resumed, or as of [`Journal::kept`].
     pub fn open(head: H, output: Option<&Path>, resume: bool) -> Result<Self> {
-        let Some(path) = output.and_then(beside) else {
+        let path = output.and_then(beside);
+        if let Some(path) = path.as_ref().filter(|path| path.exists() && !resume) {
+            let shown = path.display();
+            bail!("{shown} holds an unfinished {}: continue it with --resume, or remove the file", H::NAME);
+        }
+        Self::kept(head, path)
+    }
+
+    /// The journal in a file, a new one where there is none; without a path one that is gone with the program.
+    ///
+    /// # Errors
+    /// If the file cannot be written, is damaged, or belongs to another sweep or atlas.
+    pub fn kept(head: H, path: Option<PathBuf>) -> Result<Self> {
+        let Some(path) = path else {
             return Self::begin(head, tempfile::tempfile().context("cannot open a temporary file")?, None);
         };
         let shown = path.display().to_string();
         if path.exists() {
-            if !resume {
-                bail!("{shown} holds an unfinished {}: continue it with --resume, or remove the file", H::NAME);
-            }
             let file = OpenOptions::new().read(true).write(true).open(&path);
             let file = file.with_context(|| format!("cannot open {shown}"))?;
             return Self::resumed(head, file, path).with_context(|| shown.clone());
@@ -150,6 +164,7 @@ impl<H: Head> Journal<H> {
         self.places.len() as u64
     }
 
+    /// Whether it has a point.
     pub fn holds(&self, point: u64) -> bool {
         self.places.contains_key(&point)
     }
@@ -157,6 +172,22 @@ impl<H: Head> Journal<H> {
     /// The points of all, or of the shard, that are not in it.
     pub fn missing(&self) -> Vec<u64> {
         own(&self.head).filter(|&point| !self.holds(point)).collect()
+    }
+
+    /// Adds the records of points, a line each.
+    ///
+    /// # Errors
+    /// If a line is no record of a point that it lacks, or cannot be written.
+    pub fn add_lines(&mut self, lines: &str) -> Result<()> {
+        for line in lines.lines() {
+            let record: H::Record = serde_json::from_str(line).context("a line is not the record of a point")?;
+            let point = record.point();
+            if !self.head.has(point) || self.holds(point) {
+                bail!("point {point} does not belong to this {}, or is there already", H::NAME);
+            }
+            self.add(point, line).context("cannot write a finished point")?;
+        }
+        Ok(())
     }
 
     /// Adds the record of a point; from now on a crash does not lose it.
