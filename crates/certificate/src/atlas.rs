@@ -8,18 +8,17 @@ use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::{Error, ImpactPair, Start};
 use serde_json::Value;
 
-use super::GlobalCertificate;
+use super::global::GlobalCertificate;
 use super::grid::{Axes, Placed, and};
 use super::tiles::Tile;
 
 /// The claims of an atlas of points, or of cells.
 #[derive(Clone, Debug)]
-pub struct AtlasCertificate {
+pub(crate) struct AtlasCertificate {
     points: Vec<ClaimedPoint>,
     has_cells: bool,
     /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
-    marks: Mark,
 }
 
 /// A point of the atlas, or a tile.
@@ -49,10 +48,7 @@ pub(super) struct Part {
 
 impl AtlasCertificate {
     /// Reads an atlas: the head, then one point or tile per line.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let (place, records) = (Place::of_schema(&values[0], ATLAS_SCHEMA)?, &values[1..]);
         let head: AtlasHead = place.read()?;
         let axes = Axes::of(&place, &head.over, head.points, head.shard)?;
@@ -72,7 +68,7 @@ impl AtlasCertificate {
         let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits().is_some());
         let marks = marks::atlas(&head, &axes.pinned(&places), has_orbits).with(LINES, marks::list(lines));
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
-        Ok(Self { points, has_cells: head.cells, missing, marks })
+        Ok((Self { points, has_cells: head.cells, missing }, marks))
     }
 
     /// Number of points of the grid, or of the shard, that are missing.
@@ -103,11 +99,6 @@ impl AtlasCertificate {
     pub(super) fn claimed(&self) -> usize {
         let parts = self.points.iter().flat_map(|point| &point.parts);
         parts.filter(|part| part.claims_something()).count()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

@@ -13,14 +13,13 @@ use serde_json::Value;
 
 /// The claims of a bifurcation JSON.
 #[derive(Clone, Debug)]
-pub struct BifurcationCertificate {
+pub(crate) struct BifurcationCertificate {
     pair: ImpactPair,
     start: Start,
     over: Key,
     points: Vec<ClaimedPoint>,
     /// A contradiction between the document's own fields.
     contradiction: Option<String>,
-    marks: Mark,
 }
 
 /// A claimed bifurcation.
@@ -80,10 +79,7 @@ impl ClaimedPoint {
 
 impl BifurcationCertificate {
     /// Reads a bifurcation JSON.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, BIFURCATION_SCHEMA)?;
         let document: BifurcationDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
@@ -93,15 +89,9 @@ impl BifurcationCertificate {
         let marks = marks::bifurcations(&document, over);
         let contradiction = contradiction(&document, &points)?;
         let (pair, _) = document.scene.model()?;
-        Ok(Self {
-            pair,
-            // Phases are counted from the time 0; no orbit depends on the scene's start.
-            start: Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?,
-            over,
-            points,
-            contradiction,
-            marks,
-        })
+        // Phases are counted from the time 0; no orbit depends on the scene's start.
+        let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
+        Ok((Self { pair, start, over, points, contradiction }, marks))
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -132,11 +122,6 @@ impl BifurcationCertificate {
     /// Number of bifurcations that are checked: all but grazes.
     pub fn checked(&self) -> usize {
         self.points.iter().filter(|point| point.kind != Kind::Graze).count()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

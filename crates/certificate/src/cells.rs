@@ -12,27 +12,23 @@ use serde_json::Value;
 
 /// The claims of a JSON of verdicts over the cells of a parameter.
 #[derive(Clone, Debug)]
-pub struct CellsCertificate {
+pub(crate) struct CellsCertificate {
     pair: ImpactPair,
     start: Start,
     /// The parameter that varies.
     key: Key,
     document: ChaosCellsDocument,
-    marks: Mark,
 }
 
 impl CellsCertificate {
     /// Reads a JSON of cells.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, CHAOS_CELLS_SCHEMA)?;
         let document: ChaosCellsDocument = whole.read()?;
         let key = parameter(&whole.get("over")?.get("key")?)?;
         let (pair, start) = document.scene.clone().model()?;
         let marks = marks::cells(&document, key);
-        Ok(Self { pair, start, key, document, marks })
+        Ok((Self { pair, start, key, document }, marks))
     }
 
     /// The pair with all values of the parameter between `low` and `high`.
@@ -58,10 +54,5 @@ impl CellsCertificate {
     /// Number of subintervals with a claim.
     pub fn claimed(&self) -> usize {
         self.document.stretches.iter().filter(|stretch| stretch.verdict != StretchVerdict::Undecided).count()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }

@@ -10,19 +10,15 @@ use serde_json::Value;
 
 /// The claims of a chaos JSON.
 #[derive(Clone, Debug)]
-pub struct ChaosCertificate {
+pub(crate) struct ChaosCertificate {
     /// The impact pair, with all values of the parameter.
     pair: ImpactPair,
     document: ChaosDocument,
-    marks: Mark,
 }
 
 impl ChaosCertificate {
     /// Reads a chaos JSON.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, CHAOS_SCHEMA)?;
         let document: ChaosDocument = whole.read()?;
         if !document.certified {
@@ -41,7 +37,7 @@ impl ChaosCertificate {
             varied = Some(key);
         }
         let marks = marks::chaos(&document, varied);
-        Ok(Self { pair, document, marks })
+        Ok((Self { pair, document }, marks))
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -59,10 +55,5 @@ impl ChaosCertificate {
     /// Number of claimed words.
     pub fn count(&self) -> usize {
         self.document.words.len()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }

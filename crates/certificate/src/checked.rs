@@ -6,13 +6,19 @@ use impact_pair_document::{ClaimName, counted};
 use impact_pair_model::watch::{Stage, Watch};
 use impact_pair_model::{Error, EventKind};
 
+use crate::atlas::AtlasCertificate;
+use crate::bifurcation::BifurcationCertificate;
+use crate::cells::CellsCertificate;
+use crate::chaos::ChaosCertificate;
 use crate::check::Data;
-use crate::marks::Mark;
-use crate::{
-    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CyclesCertificate,
-    Effort, GlobalCertificate, PeriodicCertificate, SweepCertificate, TangencyCertificate, TrapCertificate, Verdict,
-    WindowsCertificate,
-};
+use crate::cycles::CyclesCertificate;
+use crate::global::GlobalCertificate;
+use crate::periodic::PeriodicCertificate;
+use crate::sweep::SweepCertificate;
+use crate::tangency::TangencyCertificate;
+use crate::trap::TrapCertificate;
+use crate::windows::WindowsCertificate;
+use crate::{Certificate, Effort, Verdict};
 
 /// The statement on horseshoes that is not checked: boxes of components are not in a document. Lemma V37
 const UNCHECKED_COMPONENT: &str = "which component holds a horseshoe";
@@ -25,9 +31,6 @@ pub(super) trait Checked {
 
     /// Number of items.
     fn count(&self) -> usize;
-
-    /// What is said of each value.
-    fn marks(&self) -> &Mark;
 
     /// The key of the list.
     fn items(&self) -> &'static str;
@@ -100,10 +103,6 @@ macro_rules! checked {
             self.count()
         }
 
-        fn marks(&self) -> &Mark {
-            self.marks()
-        }
-
         fn items(&self) -> &'static str {
             $items
         }
@@ -126,10 +125,6 @@ impl Checked for Certificate {
 
     fn count(&self) -> usize {
         self.events().len()
-    }
-
-    fn marks(&self) -> &Mark {
-        self.marks()
     }
 
     fn items(&self) -> &'static str {
@@ -196,10 +191,6 @@ impl Checked for CyclesCertificate {
 
     fn count(&self) -> usize {
         self.orbits().count()
-    }
-
-    fn marks(&self) -> &Mark {
-        self.orbits().marks()
     }
 
     fn items(&self) -> &'static str {

@@ -4,12 +4,21 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+use crate::atlas::AtlasCertificate;
+use crate::bifurcation::BifurcationCertificate;
+use crate::cells::CellsCertificate;
+use crate::chaos::ChaosCertificate;
 use crate::checked::Checked;
-use crate::{
-    AtlasCertificate, BifurcationCertificate, CellsCertificate, Certificate, ChaosCertificate, CheckResult,
-    CyclesCertificate, DescriptionCertificate, Effort, Finding, GlobalCertificate, PeriodicCertificate,
-    SweepCertificate, TangencyCertificate, TrapCertificate, Verdict, WindowsCertificate,
-};
+use crate::cycles::CyclesCertificate;
+use crate::description::DescriptionCertificate;
+use crate::global::GlobalCertificate;
+use crate::marks::Mark;
+use crate::periodic::PeriodicCertificate;
+use crate::sweep::SweepCertificate;
+use crate::tangency::TangencyCertificate;
+use crate::trap::TrapCertificate;
+use crate::windows::WindowsCertificate;
+use crate::{Certificate, CheckResult, Effort, Finding, Verdict};
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, AuditDocument, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
     DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, ManifoldDocument, PERIODIC_SCHEMA, Place, SWEEP_SCHEMA,
@@ -25,6 +34,8 @@ pub struct Claims {
     /// The values of its text: one, or one for each line of JSON Lines; without the documents in it.
     pub(super) values: Vec<Value>,
     pub(super) of: Of,
+    /// What is said of each value; nothing where the document is not checked.
+    pub(super) marks: Option<Mark>,
 }
 
 /// The claims of a document by its verb.
@@ -87,44 +98,44 @@ impl Claims {
     fn of(mut values: Vec<Value>) -> Result<Self, Error> {
         if let [Value::Array(documents)] = &mut values[..] {
             let documents = std::mem::take(documents).into_iter().map(Self::of_list).collect::<Result<_, _>>()?;
-            return Ok(Self { values: Vec::new(), of: Of::List(documents) });
+            return Ok(Self { values: Vec::new(), of: Of::List(documents), marks: None });
         }
         let (all, head) = (&values[..], &values[0]);
         let is_solved = |head: &Value| head["solved_for"].as_str().is_some_and(|what| what != "velocity");
-        let of = match head["schema"].as_str() {
+        let (of, marks) = match head["schema"].as_str() {
             Some(PERIODIC_SCHEMA) if is_solved(head) => {
                 let why = "motions solved for the amplitude or the gap: their scene has another one";
                 Of::unchecked::<TwoImpactDocument>(all, why)?
             }
             Some(PERIODIC_SCHEMA) if head.get("solved_for").is_some() => {
-                Of::Periodic(Box::new(PeriodicCertificate::read_two_impact(all)?))
+                boxed(PeriodicCertificate::read_two_impact(all)?, Of::Periodic)
             }
-            Some(PERIODIC_SCHEMA) => Of::Periodic(Box::new(PeriodicCertificate::read(all)?)),
-            Some(CYCLES_SCHEMA) => Of::Cycles(Box::new(CyclesCertificate::read(all)?)),
-            Some(BIFURCATION_SCHEMA) => Of::Bifurcations(Box::new(BifurcationCertificate::read(all)?)),
-            Some(WINDOWS_SCHEMA) => Of::Windows(Box::new(WindowsCertificate::read(all)?)),
-            Some(TANGENCY_SCHEMA) => Of::Tangencies(Box::new(TangencyCertificate::read(all)?)),
+            Some(PERIODIC_SCHEMA) => boxed(PeriodicCertificate::read(all)?, Of::Periodic),
+            Some(CYCLES_SCHEMA) => boxed(CyclesCertificate::read(all)?, Of::Cycles),
+            Some(BIFURCATION_SCHEMA) => boxed(BifurcationCertificate::read(all)?, Of::Bifurcations),
+            Some(WINDOWS_SCHEMA) => boxed(WindowsCertificate::read(all)?, Of::Windows),
+            Some(TANGENCY_SCHEMA) => boxed(TangencyCertificate::read(all)?, Of::Tangencies),
             Some(MANIFOLD_SCHEMA) => {
                 Of::unchecked::<ManifoldDocument>(all, "parameter manifolds: that their points solve (66)-(69)")?
             }
-            Some(CHAOS_CELLS_SCHEMA) => Of::Cells(Box::new(CellsCertificate::read(all)?)),
+            Some(CHAOS_CELLS_SCHEMA) => boxed(CellsCertificate::read(all)?, Of::Cells),
             Some(AUDIT_SCHEMA) => Of::unchecked::<AuditDocument>(
                 all,
                 "comparisons with another program's list: what is inside, missed or false",
             )?,
-            Some(GLOBAL_SCHEMA) => Of::Global(Box::new(GlobalCertificate::read(all)?)),
-            Some(ATLAS_SCHEMA) => Of::Atlas(Box::new(AtlasCertificate::read(all)?)),
+            Some(GLOBAL_SCHEMA) => boxed(GlobalCertificate::read(all)?, Of::Global),
+            Some(ATLAS_SCHEMA) => boxed(AtlasCertificate::read(all)?, Of::Atlas),
             Some(TRADE_SCHEMA) => Of::unchecked::<TradeDocument>(all, "measurements of the cost of accuracy")?,
-            Some(SWEEP_SCHEMA) => Of::Sweep(Box::new(SweepCertificate::read(all)?)),
-            Some(CHAOS_SCHEMA) => Of::Chaos(Box::new(ChaosCertificate::read(all)?)),
-            Some(TRAP_SCHEMA) => Of::Trap(Box::new(TrapCertificate::read(all)?)),
-            Some(DESCRIPTION_SCHEMA) => Of::Description(Box::new(DescriptionCertificate::read(all)?)),
-            _ => Of::Orbit(Box::new(Certificate::read(all)?)),
+            Some(SWEEP_SCHEMA) => boxed(SweepCertificate::read(all)?, Of::Sweep),
+            Some(CHAOS_SCHEMA) => boxed(ChaosCertificate::read(all)?, Of::Chaos),
+            Some(TRAP_SCHEMA) => boxed(TrapCertificate::read(all)?, Of::Trap),
+            Some(DESCRIPTION_SCHEMA) => boxed(DescriptionCertificate::read(all)?, Of::Description),
+            _ => boxed(Certificate::read(all)?, Of::Orbit),
         };
         if let (Of::Description(description), Value::Object(entries)) = (&of, &mut values[0]) {
             description.parts().iter().for_each(|(key, _)| drop(entries.remove(*key)));
         }
-        Ok(Self { values, of })
+        Ok(Self { values, of, marks })
     }
 
     fn of_list(document: Value) -> Result<Self, Error> {
@@ -135,8 +146,8 @@ impl Claims {
     }
 
     /// The claims of a document in another one.
-    pub(super) fn part(values: Value, of: Of) -> Self {
-        Self { values: vec![values], of }
+    pub(super) fn part(value: &Value, (of, marks): (Of, Option<Mark>)) -> Self {
+        Self { values: vec![value.clone()], of, marks }
     }
 
     /// The scene of a document; `None` of a list of documents.
@@ -323,9 +334,14 @@ impl Claims {
 
 impl Of {
     /// A document that is read but not checked.
-    fn unchecked<T: DeserializeOwned>(values: &[Value], why: &'static str) -> Result<Self, Error> {
-        only(values)?.read::<T>().map(|_| Self::Unchecked(why))
+    fn unchecked<T: DeserializeOwned>(values: &[Value], why: &'static str) -> Result<(Self, Option<Mark>), Error> {
+        only(values)?.read::<T>().map(|_| (Self::Unchecked(why), None))
     }
+}
+
+/// The claims of a verb, with what is said of each value.
+pub(super) fn boxed<C>((claims, marks): (C, Mark), of: impl Fn(Box<C>) -> Of) -> (Of, Option<Mark>) {
+    (of(Box::new(claims)), Some(marks))
 }
 
 /// The value of a document that is no JSON Lines.

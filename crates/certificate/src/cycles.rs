@@ -6,29 +6,27 @@ use super::claims::whole;
 use impact_pair_model::vocabulary::Stability;
 use serde_json::Value;
 
-use crate::PeriodicCertificate;
+use super::marks::{self, Mark};
 use crate::periodic::OrbitOf;
+use crate::periodic::PeriodicCertificate;
 use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument};
 use impact_pair_model::Error;
 
 /// The claims of a JSON of all cycles.
 #[derive(Clone, Debug)]
-pub struct CyclesCertificate {
+pub(crate) struct CyclesCertificate {
     orbits: PeriodicCertificate,
     contradiction: Option<String>,
 }
 
 impl CyclesCertificate {
     /// Reads the JSON of all cycles: its orbits and whether its counts fit them.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let orbits = PeriodicCertificate::of_cycles(&whole, &document)?;
         let contradiction = contradiction(&document, orbits.orbits());
-        Ok(Self { orbits, contradiction })
+        Ok((Self { orbits, contradiction }, marks::cycles(&document)))
     }
 
     /// The orbits, as in a periodic JSON.

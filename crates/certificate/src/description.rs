@@ -1,20 +1,20 @@
 //! The JSON of a description, read back: the orbit and the region inside are documents of their own.
 
-use super::claims::{Of, whole};
+use super::claims::{Of, boxed, whole};
 use super::marks::{self, Mark};
 use serde_json::Value;
 
-use crate::{Certificate, CheckResult, Claims, Finding, TrapCertificate, Verdict};
+use crate::trap::TrapCertificate;
+use crate::{Certificate, CheckResult, Claims, Finding, Verdict};
 use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName};
 use impact_pair_model::{Error, Period, Word};
 
 /// The claims of a description.
 #[derive(Clone, Debug)]
-pub struct DescriptionCertificate {
+pub(crate) struct DescriptionCertificate {
     document: DescriptionDocument,
     /// The documents inside that are proved again, each with its key.
     parts: Vec<(&'static str, Claims)>,
-    marks: Mark,
 }
 
 /// Keys of the documents in a description.
@@ -22,10 +22,7 @@ const PROOF: &str = "proof";
 const REGION: &str = "region";
 impl DescriptionCertificate {
     /// Reads a description.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, DESCRIPTION_SCHEMA)?;
         let document: DescriptionDocument = whole.read()?;
         document.scene.clone().model()?;
@@ -36,25 +33,20 @@ impl DescriptionCertificate {
         let mut parts = Vec::new();
         if let Some(orbit) = &document.proof {
             let orbit = Certificate::whole(&whole.get(PROOF)?, (**orbit).clone())?;
-            parts.push((PROOF, Claims::part(values[0][PROOF].clone(), Of::Orbit(Box::new(orbit)))));
+            parts.push((PROOF, Claims::part(&values[0][PROOF], boxed(orbit, Of::Orbit))));
         }
         if let Some(region) = &document.region {
             let region = TrapCertificate::of(region.clone(), &whole.get(REGION)?)?;
-            parts.push((REGION, Claims::part(values[0][REGION].clone(), Of::Trap(Box::new(region)))));
+            parts.push((REGION, Claims::part(&values[0][REGION], boxed(region, Of::Trap))));
         }
-        let mut own = Self { marks: marks::checked(""), document, parts };
-        own.marks = marks::description(&own.document, own.is_fate_judged());
-        Ok(own)
+        let own = Self { document, parts };
+        let marks = marks::description(&own.document, own.is_fate_judged());
+        Ok((own, marks))
     }
 
     /// The documents inside the description, each with its key.
     pub(super) fn parts(&self) -> &[(&'static str, Claims)] {
         &self.parts
-    }
-
-    /// What is said of the values of the description itself.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 
     /// Whether a document inside proves the fate.

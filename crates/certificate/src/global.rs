@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 
 /// The claims of a JSON of a global analysis.
 #[derive(Clone, Debug)]
-pub struct GlobalCertificate {
+pub(crate) struct GlobalCertificate {
     pair: ImpactPair,
     /// The periodic motions without rests, if there are any.
     orbits: Option<PeriodicCertificate>,
@@ -34,7 +34,6 @@ pub struct GlobalCertificate {
     /// True if a motion of the pair is proved to graze one wall for ever.
     has_grazing_motion: bool,
     contradiction: Option<String>,
-    marks: Mark,
 }
 
 /// A component with a claim.
@@ -60,12 +59,12 @@ const PERIODIC_KINDS: [(ComponentKind, Stability); 2] =
 
 impl GlobalCertificate {
     /// Reads a JSON of a global analysis.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, GLOBAL_SCHEMA)?;
-        Self::of(&whole.read()?, &whole)
+        let document: GlobalDocument = whole.read()?;
+        let own = Self::of(&document, &whole)?;
+        let marks = marks::global(&document, own.components());
+        Ok((own, marks))
     }
 
     /// The claims of a global analysis; `place` is the place of its components in the file.
@@ -85,7 +84,6 @@ impl GlobalCertificate {
         let says_there_are_no_others = !is_open && !document.interrupted;
         let basins = document.basins.as_ref().filter(|_| says_there_are_no_others);
         let has_grazing_motion = has_grazing_motion(&pair);
-        let marks = marks::global(document, Components { are_all: says_there_are_no_others, has_grazing_motion });
         let rests = document.components.iter().find(|component| component.kind == ComponentKind::RestCycle);
         let rest_cycle = rests.and_then(|rest| Some((rest.cycles?, rest.alternates?)));
         let of_basin = |basin: &BasinDocument| (basin.component as usize, basin.area.value());
@@ -104,7 +102,6 @@ impl GlobalCertificate {
             says_there_are_no_others,
             has_grazing_motion,
             contradiction,
-            marks,
         })
     }
 
@@ -183,11 +180,6 @@ impl GlobalCertificate {
     /// Number of listed components.
     pub fn count(&self) -> usize {
         self.claimed.len()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

@@ -109,9 +109,7 @@ impl Claims {
     /// check it, and why it is not checked, or where.
     pub fn keys(&self) -> Vec<(String, &'static str, &'static str)> {
         let mut rows = Vec::new();
-        let marks = self.certificate().map(Checked::marks);
-        let own = if let Of::Description(certificate) = &self.of { Some(certificate.marks()) } else { marks };
-        own.into_iter().for_each(|marks| marks.rows("", &mut rows));
+        self.marks.iter().for_each(|marks| marks.rows("", &mut rows));
         rows
     }
 
@@ -138,14 +136,10 @@ impl<'c> Part<'c> {
     /// The values of the document, sorted by what is said of them.
     fn leaves(&self) -> Leaves<'c> {
         let mut leaves = Leaves::new(self.claims.certificate().map(Checked::items));
-        let marks = match (&self.claims.of, self.claims.certificate()) {
-            (Of::Description(certificate), _) => certificate.marks(),
-            (_, Some(certificate)) => certificate.marks(),
-            (_, None) => {
-                let keys = self.claims.values.iter().filter_map(Value::as_object).flat_map(|value| value.keys());
-                leaves.others.extend(keys.cloned());
-                return leaves;
-            }
+        let Some(marks) = &self.claims.marks else {
+            let keys = self.claims.values.iter().filter_map(Value::as_object).flat_map(|value| value.keys());
+            leaves.others.extend(keys.cloned());
+            return leaves;
         };
         match (&self.claims.of, &self.claims.values[..]) {
             (Of::Orbit(_), [head, events @ .., end]) => {

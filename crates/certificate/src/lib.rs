@@ -48,22 +48,10 @@ mod tolerances;
 mod trap;
 mod windows;
 
-pub use atlas::AtlasCertificate;
-pub use bifurcation::BifurcationCertificate;
-pub use cells::CellsCertificate;
-pub use chaos::ChaosCertificate;
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
-pub use cycles::CyclesCertificate;
-pub use description::DescriptionCertificate;
-pub use global::GlobalCertificate;
 #[doc(inline)]
 pub use impact_pair_document as document;
 pub use judged::CheckResult;
-pub use periodic::PeriodicCertificate;
 pub use prove::Theorem;
 pub use read::{Certificate, Claim};
-pub use sweep::SweepCertificate;
-pub use tangency::TangencyCertificate;
-pub use trap::TrapCertificate;
-pub use windows::WindowsCertificate;

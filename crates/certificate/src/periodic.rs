@@ -10,14 +10,13 @@ use serde_json::Value;
 
 /// The claims of a periodic JSON, or of a JSON of two-impact motions.
 #[derive(Clone, Debug)]
-pub struct PeriodicCertificate {
+pub(crate) struct PeriodicCertificate {
     pair: ImpactPair,
     start: Start,
     orbits: Vec<OrbitOf>,
     says_all_is_proved: bool,
     has_no_rest: bool,
     mirrors_are_one: bool,
-    marks: Mark,
 }
 
 /// An orbit, its word and the cycles of the word.
@@ -30,21 +29,16 @@ pub(super) struct OrbitOf {
 
 impl PeriodicCertificate {
     /// Reads a periodic JSON.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, PERIODIC_SCHEMA)?;
         let document: PeriodicDocument = whole.read()?;
         let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
-        Self::of(&whole, document, has_rest, marks::periodic)
+        let marks = marks::periodic(&document);
+        Ok((Self::of(&whole, document, has_rest)?, marks))
     }
 
     /// Reads a JSON of two-impact motions, solved for the velocity.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read_two_impact(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read_two_impact(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, PERIODIC_SCHEMA)?;
         let document: TwoImpactDocument = whole.read()?;
         let (has_rest, marks) = (!document.undecided.is_empty(), marks::two_impact(&document));
@@ -56,15 +50,10 @@ impl PeriodicCertificate {
         let undecided = None;
         let document =
             PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
-        Self::of(&whole, document, has_rest, |_| marks)
+        Ok((Self::of(&whole, document, has_rest)?, marks))
     }
 
-    fn of(
-        whole: &Place<'_>,
-        document: PeriodicDocument,
-        has_rest: bool,
-        marks: impl FnOnce(&PeriodicDocument) -> Mark,
-    ) -> Result<Self, Error> {
+    fn of(whole: &Place<'_>, document: PeriodicDocument, has_rest: bool) -> Result<Self, Error> {
         if document.excludes.is_some() && !document.exhaustive {
             return Err(whole.get("excludes")?.refused("only an exhaustive list says what it leaves out"));
         }
@@ -75,9 +64,9 @@ impl PeriodicCertificate {
                 Ok(OrbitOf { word: word.clone(), cycles, orbit: ClaimedOrbit::of(orbit, place)? })
             });
         let orbits = orbits.collect::<Result<_, Error>>()?;
-        let (says_all_is_proved, marks) = (document.certified, marks(&document));
+        let says_all_is_proved = document.certified;
         let (pair, _) = document.scene.model()?;
-        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, marks, ..Self::new(pair, orbits)? })
+        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, ..Self::new(pair, orbits)? })
     }
 
     /// The orbits of the JSON of all cycles.
@@ -90,8 +79,7 @@ impl PeriodicCertificate {
         });
         let orbits = orbits.collect::<Result<_, Error>>()?;
         let (says_all_is_proved, has_no_rest) = (document.certified, document.undecided.is_empty());
-        let marks = marks::cycles(document);
-        Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, marks, ..Self::new(pair, orbits)? })
+        Ok(Self { says_all_is_proved, has_no_rest, mirrors_are_one: true, ..Self::new(pair, orbits)? })
     }
 
     /// One orbit, of a window.
@@ -108,8 +96,7 @@ impl PeriodicCertificate {
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
         let (says_all_is_proved, has_no_rest, mirrors_are_one) = (false, true, false);
-        let marks = marks::checked("");
-        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, marks })
+        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one })
     }
 
     /// The impact pair.
@@ -143,10 +130,5 @@ impl PeriodicCertificate {
     /// Whether an orbit and its mirror image are listed as one orbit.
     pub(super) fn mirrors_are_one(&self) -> bool {
         self.mirrors_are_one
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }

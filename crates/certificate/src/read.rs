@@ -26,7 +26,6 @@ pub struct Certificate {
     events: Vec<Claim>,
     ended: OutcomeDocument,
     attraction: Option<Attraction>,
-    marks: Mark,
 }
 
 /// An event that an orbit JSON claims.
@@ -58,11 +57,11 @@ impl Certificate {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, Error> {
-        Self::read(&values(text)?)
+        Ok(Self::read(&values(text)?)?.0)
     }
 
     /// Reads an orbit JSON, or the values of JSON Lines.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = Place::of_schema(&values[0], ORBIT_SCHEMA)?;
         let [head, events @ .., end] = values else { return Self::whole(&whole, whole.read()?) };
         let head = Place::whole(head).read()?;
@@ -75,7 +74,7 @@ impl Certificate {
     }
 
     /// The claims of an orbit JSON; `place` is its place in the file.
-    pub(super) fn whole(place: &Place<'_>, document: OrbitDocument) -> Result<Self, Error> {
+    pub(super) fn whole(place: &Place<'_>, document: OrbitDocument) -> Result<(Self, Mark), Error> {
         let (head, events, outcome) = document.lines();
         let places = place.get("events")?.list()?;
         Self::of((head, place), (events, &places), (outcome, &place.get("outcome")?))
@@ -85,7 +84,7 @@ impl Certificate {
         (head, place): (OrbitHead, &Place<'_>),
         (events, places): (Vec<EventDocument>, &[Place<'_>]),
         (ended, outcome): (OutcomeDocument, &Place<'_>),
-    ) -> Result<Self, Error> {
+    ) -> Result<(Self, Mark), Error> {
         if !head.certified {
             return Err(place.get("certified")?.refused("only a certified orbit claims anything: accepted is true"));
         }
@@ -106,13 +105,13 @@ impl Certificate {
         let near: &[&str] = if head.claim == ClaimName::Shadowed { &["start"] } else { &[] };
         required.iter().chain(near).try_for_each(|key| outcome.get(key).map(|_| ()))?;
         let attraction = Attraction::of(&ended, outcome)?;
-        Ok(Self { pair, start, claim: head.claim, events, attraction, ended, marks })
+        Ok((Self { pair, start, claim: head.claim, events, attraction, ended }, marks))
     }
 
     /// A certificate with a start and no claims.
     pub(super) fn of_start(pair: ImpactPair, start: Start) -> Self {
         let (claim, events, ended) = (ClaimName::default(), Vec::new(), OutcomeDocument::default());
-        Self { pair, start, claim, events, ended, attraction: None, marks: marks::checked("") }
+        Self { pair, start, claim, events, ended, attraction: None }
     }
 
     /// The impact pair.
@@ -143,11 +142,6 @@ impl Certificate {
     /// The claims about the end of the orbit.
     pub(super) fn ended(&self) -> &OutcomeDocument {
         &self.ended
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 
     /// Whether nothing is claimed: there is no event, and no time before which there is none.

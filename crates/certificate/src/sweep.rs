@@ -14,11 +14,10 @@ use serde_json::Value;
 
 /// The claims of a sweep about the impacts of its points.
 #[derive(Clone, Debug)]
-pub struct SweepCertificate {
+pub(crate) struct SweepCertificate {
     points: Vec<ClaimedOrbit>,
     /// Number of points of the grid, or of the shard, that are missing.
     missing: u64,
-    marks: Mark,
 }
 
 /// A point of the sweep.
@@ -44,10 +43,7 @@ pub(super) struct ClaimedOrbit {
 
 impl SweepCertificate {
     /// Reads a sweep: the head, then one point per line.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let (place, records) = (Place::of_schema(&values[0], SWEEP_SCHEMA)?, &values[1..]);
         let head: SweepHead = place.read()?;
         if !head.certified {
@@ -81,7 +77,7 @@ impl SweepCertificate {
         let marks =
             marks::sweep(&head, &axes.pinned(&places), &listed).with(LINES, lines.unwrap_or(marks::checked("")));
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
-        Ok(Self { points, missing, marks })
+        Ok((Self { points, missing }, marks))
     }
 
     /// Number of points of the grid, or of the shard, that are missing.
@@ -101,11 +97,6 @@ impl SweepCertificate {
     /// Number of points that claim impacts.
     pub(super) fn claimed(&self) -> usize {
         self.points.iter().filter(|point| point.impacts > 0).count()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

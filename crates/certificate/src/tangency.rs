@@ -12,11 +12,10 @@ use serde_json::Value;
 
 /// The claims of a JSON of tangencies.
 #[derive(Clone, Debug)]
-pub struct TangencyCertificate {
+pub(crate) struct TangencyCertificate {
     pair: ImpactPair,
     tangencies: Vec<ClaimedTangency>,
     contradiction: Option<String>,
-    marks: Mark,
 }
 
 /// A claimed tangency.
@@ -64,10 +63,7 @@ pub(super) struct ClaimedSides {
 
 impl TangencyCertificate {
     /// Reads a JSON of tangencies.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, TANGENCY_SCHEMA)?;
         let document: TangencyDocument = whole.read()?;
         let places = whole.get("tangencies")?.list()?;
@@ -76,7 +72,7 @@ impl TangencyCertificate {
         let marks = marks::tangency(&document, tangencies.iter().map(|own| own.key).collect());
         let contradiction = contradiction(&document);
         let (pair, _) = document.scene.model()?;
-        Ok(Self { pair, tangencies, contradiction, marks })
+        Ok((Self { pair, tangencies, contradiction }, marks))
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -105,11 +101,6 @@ impl TangencyCertificate {
     /// Number of claimed tangencies.
     pub fn count(&self) -> usize {
         self.tangencies.len()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

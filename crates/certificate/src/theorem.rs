@@ -8,7 +8,8 @@ use impact_pair_model::EventKind;
 use impact_pair_model::vocabulary::OutcomeKind;
 
 use crate::claims::Of;
-use crate::{Certificate, Claims, GlobalCertificate};
+use crate::global::GlobalCertificate;
+use crate::{Certificate, Claims};
 
 impl Claims {
     /// The theorem that a confirmation proves, a line for each document; empty for a document that is not checked.

@@ -8,31 +8,27 @@ use serde_json::Value;
 
 /// The claims of a trap JSON.
 #[derive(Clone, Debug)]
-pub struct TrapCertificate {
+pub(crate) struct TrapCertificate {
     pair: ImpactPair,
     start: Start,
     document: TrapDocument,
-    marks: Mark,
 }
 
 impl TrapCertificate {
     /// Reads a trap JSON.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, TRAP_SCHEMA)?;
         Self::of(whole.read()?, &whole)
     }
 
     /// The claims of a region; `place` is its place in the file.
-    pub(super) fn of(document: TrapDocument, place: &Place<'_>) -> Result<Self, Error> {
+    pub(super) fn of(document: TrapDocument, place: &Place<'_>) -> Result<(Self, Mark), Error> {
         if !document.certified {
             return Err(place.get("certified")?.refused("only a certified region claims anything: accepted is true"));
         }
         let marks = marks::trap(&document);
         let (pair, start) = document.scene.clone().model()?;
-        Ok(Self { pair, start, document, marks })
+        Ok((Self { pair, start, document }, marks))
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -52,10 +48,5 @@ impl TrapCertificate {
         // exact: no run is longer than an integer of 32 bits
         let boxes = |&[_, first, last]: &[i32; 3]| usize::try_from(i64::from(last) - i64::from(first) + 1).unwrap_or(0);
         self.document.region.iter().map(boxes).sum()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }

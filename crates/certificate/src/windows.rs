@@ -4,8 +4,8 @@ use super::attraction::ClaimedOrbit;
 use super::bifurcation::{ClaimedPoint, parameter};
 use super::claims::whole;
 use super::marks::{self, Mark};
-use crate::PeriodicCertificate;
 use crate::periodic::OrbitOf;
+use crate::periodic::PeriodicCertificate;
 use crate::read::is_single;
 use impact_pair_document::{Place, WINDOWS_SCHEMA, WindowDocument, WindowsDocument};
 use impact_pair_exact::{Exact, compare_rational};
@@ -16,13 +16,12 @@ use serde_json::Value;
 
 /// The claims of a JSON of windows.
 #[derive(Clone, Debug)]
-pub struct WindowsCertificate {
+pub(crate) struct WindowsCertificate {
     pair: ImpactPair,
     start: Start,
     over: Key,
     windows: Vec<ClaimedWindow>,
     contradiction: Option<String>,
-    marks: Mark,
 }
 
 /// A claimed window.
@@ -42,10 +41,7 @@ pub(super) struct ClaimedWindow {
 
 impl WindowsCertificate {
     /// Reads a JSON of windows.
-    ///
-    /// # Errors
-    /// Name the key, its value and what is accepted.
-    pub(super) fn read(values: &[Value]) -> Result<Self, Error> {
+    pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
         let whole = whole(values, WINDOWS_SCHEMA)?;
         let document: WindowsDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
@@ -60,7 +56,7 @@ impl WindowsCertificate {
         let contradiction = contradiction(&document, over);
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
-        Ok(Self { pair, start, over, windows, contradiction, marks })
+        Ok((Self { pair, start, over, windows, contradiction }, marks))
     }
 
     pub(super) fn pair(&self) -> &ImpactPair {
@@ -86,11 +82,6 @@ impl WindowsCertificate {
     /// Number of claimed windows.
     pub fn count(&self) -> usize {
         self.windows.len()
-    }
-
-    /// What is said of each value of the document.
-    pub(super) fn marks(&self) -> &Mark {
-        &self.marks
     }
 }
 

@@ -148,7 +148,7 @@ mod tests {
     fn between(key: &str, value: Value) -> Result<u32, Doubt> {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;
-        let own = WindowsCertificate::read(&[document]).unwrap();
+        let own = WindowsCertificate::read(&[document]).unwrap().0;
         let over = ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() };
         own.windows()[0].is_stable_between(&over, &budget())
     }
@@ -168,7 +168,7 @@ mod tests {
     /// Rounding in 32 flights of figure 16 exceeds the first tiny cell.
     #[test]
     fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
-        let own = WindowsCertificate::read(&[serde_json::from_str(FIGURE_16).unwrap()]).unwrap();
+        let own = WindowsCertificate::read(&[serde_json::from_str(FIGURE_16).unwrap()]).unwrap().0;
         let (over, window) =
             (ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
         let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
