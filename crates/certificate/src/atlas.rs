@@ -15,10 +15,10 @@ use super::tiles::Tile;
 /// The claims of an atlas of points, or of cells.
 #[derive(Clone, Debug)]
 pub(crate) struct AtlasCertificate {
-    points: Vec<ClaimedPoint>,
-    has_cells: bool,
+    pub(super) points: Vec<ClaimedPoint>,
+    pub(super) has_cells: bool,
     /// Number of points of the grid, or of the shard, that are missing.
-    missing: u64,
+    pub(super) missing: u64,
 }
 
 /// A point of the atlas, or a tile.
@@ -71,23 +71,9 @@ impl AtlasCertificate {
         Ok((Self { points, has_cells: head.cells, missing }, marks))
     }
 
-    /// Number of points of the grid, or of the shard, that are missing.
-    pub(super) fn missing(&self) -> u64 {
-        self.missing
-    }
-
-    pub(super) fn points(&self) -> &[ClaimedPoint] {
-        &self.points
-    }
-
     /// Number of points or tiles.
     pub fn count(&self) -> usize {
         self.points.len()
-    }
-
-    /// Whether the atlas has cells of the parameter plane instead of points.
-    pub(super) fn has_cells(&self) -> bool {
-        self.has_cells
     }
 
     /// Whether a component is claimed to hold a horseshoe.

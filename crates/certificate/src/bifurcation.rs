@@ -14,12 +14,12 @@ use serde_json::Value;
 /// The claims of a bifurcation JSON.
 #[derive(Clone, Debug)]
 pub(crate) struct BifurcationCertificate {
-    pair: ImpactPair,
-    start: Start,
-    over: Key,
-    points: Vec<ClaimedPoint>,
+    pub(super) pair: ImpactPair,
+    pub(super) start: Start,
+    pub(super) over: Key,
+    pub(super) points: Vec<ClaimedPoint>,
     /// A contradiction between the document's own fields.
-    contradiction: Option<String>,
+    pub(super) contradiction: Option<String>,
 }
 
 /// A claimed bifurcation.
@@ -92,26 +92,6 @@ impl BifurcationCertificate {
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
         Ok((Self { pair, start, over, points, contradiction }, marks))
-    }
-
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn start(&self) -> &Start {
-        &self.start
-    }
-
-    pub(super) fn over(&self) -> Key {
-        self.over
-    }
-
-    pub(super) fn points(&self) -> &[ClaimedPoint] {
-        &self.points
-    }
-
-    pub(super) fn contradiction(&self) -> Option<&str> {
-        self.contradiction.as_deref()
     }
 
     /// Number of claimed bifurcations.

@@ -14,10 +14,10 @@ use serde_json::Value;
 #[derive(Clone, Debug)]
 pub(crate) struct CellsCertificate {
     pair: ImpactPair,
-    start: Start,
+    pub(super) start: Start,
     /// The parameter that varies.
     key: Key,
-    document: ChaosCellsDocument,
+    pub(super) document: ChaosCellsDocument,
 }
 
 impl CellsCertificate {
@@ -36,14 +36,6 @@ impl CellsCertificate {
         let all = Exact::interval(low, high)
             .map_err(|error| Error::certificate(format!("stretches: {error}")).because(error))?;
         self.pair.with(self.key, all)
-    }
-
-    pub(super) fn start(&self) -> &Start {
-        &self.start
-    }
-
-    pub(super) fn document(&self) -> &ChaosCellsDocument {
-        &self.document
     }
 
     /// Number of subintervals.

@@ -12,8 +12,8 @@ use serde_json::Value;
 #[derive(Clone, Debug)]
 pub(crate) struct ChaosCertificate {
     /// The impact pair, with all values of the parameter.
-    pair: ImpactPair,
-    document: ChaosDocument,
+    pub(super) pair: ImpactPair,
+    pub(super) document: ChaosDocument,
 }
 
 impl ChaosCertificate {
@@ -38,14 +38,6 @@ impl ChaosCertificate {
         }
         let marks = marks::chaos(&document, varied);
         Ok((Self { pair, document }, marks))
-    }
-
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn document(&self) -> &ChaosDocument {
-        &self.document
     }
 
     pub(super) fn bases(&self) -> &[BaseDocument] {

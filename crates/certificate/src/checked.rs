@@ -223,7 +223,7 @@ impl Checked for WindowsCertificate {
 
     fn all(&self) -> String {
         let windows = counted(self.count(), "window");
-        match self.windows().iter().filter(|window| window.stable_between).count() {
+        match self.windows.iter().filter(|window| window.stable_between).count() {
             whole if whole == self.count() => format!("the orbits of {windows} from end to end"),
             0 => format!("a stable orbit in {windows}, not from end to end"),
             whole => format!("a stable orbit in {windows}, in {whole} of them from end to end"),
@@ -284,7 +284,7 @@ impl Checked for AtlasCertificate {
     judged!();
 
     fn first(&self, count: usize) -> String {
-        counted(count, if self.has_cells() { "tile" } else { "point" })
+        counted(count, if self.has_cells { "tile" } else { "point" })
     }
 
     fn claims_nothing(&self) -> bool {
@@ -293,7 +293,7 @@ impl Checked for AtlasCertificate {
 
     fn all(&self) -> String {
         let claimed = self.claimed();
-        let said = match self.has_cells() {
+        let said = match self.has_cells {
             true => format!(
                 "what is proved of every motion that touches a wall, for all parameters of {}",
                 counted(claimed, "cell")
@@ -333,7 +333,7 @@ impl Checked for TrapCertificate {
     checked!("region");
 
     fn all(&self) -> String {
-        let words = if self.document().words.is_some() { ", and the count and entropy of its words" } else { "" };
+        let words = if self.document.words.is_some() { ", and the count and entropy of its words" } else { "" };
         format!("a trapping region of {} and its bounds{words}", self.first(self.count()))
     }
 

@@ -16,7 +16,7 @@ pub(super) struct Leaves<'n> {
     pub others: Vec<String>,
     /// Unchecked paths with a claim, without positions in lists.
     pub unchecked: Vec<String>,
-    /// Unchecked paths that say something; with positions in lists where that is decided for each item.
+    /// Unchecked paths, but for those whose value makes no claim; with positions in lists where that is decided for each item.
     pub names: BTreeSet<String>,
 }
 
@@ -37,11 +37,10 @@ impl<'n> Leaves<'n> {
     /// Sorts the value at a path; `unnumbered` is the path without the positions in lists.
     pub fn add(&mut self, path: &str, unnumbered: &str, value: &Value, mark: &Mark) {
         if mark.said != Said::Checked || self.says_nothing(unnumbered, value, mark) {
-            let is_said = matches!(mark.said, Said::Claimed | Said::Setting) && says_something(value);
-            if is_said && mark.said == Said::Claimed {
+            if mark.said == Said::Claimed && says_something(value) {
                 self.unchecked.push(unnumbered.to_owned());
             }
-            if is_said {
+            if matches!(mark.said, Said::Claimed | Said::Setting) {
                 self.names.insert(if mark.is_of_item { path } else { unnumbered }.to_owned());
             }
             return self.others.push(path.to_owned());
@@ -149,6 +148,6 @@ mod tests {
         assert_eq!(others, expected);
         assert_eq!(leaves.unchecked, ["exhaustive"]);
         let names: Vec<String> = leaves.names.into_iter().collect();
-        assert_eq!(names, ["exhaustive", "program", "scene.amplitude[1]", "scene.start", "time[1]"]);
+        assert_eq!(names, ["exhaustive", "program", "scene.amplitude[1]", "scene.start", "time[1]", "undecided"]);
     }
 }

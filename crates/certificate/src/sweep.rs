@@ -15,9 +15,9 @@ use serde_json::Value;
 /// The claims of a sweep about the impacts of its points.
 #[derive(Clone, Debug)]
 pub(crate) struct SweepCertificate {
-    points: Vec<ClaimedOrbit>,
+    pub(super) points: Vec<ClaimedOrbit>,
     /// Number of points of the grid, or of the shard, that are missing.
-    missing: u64,
+    pub(super) missing: u64,
 }
 
 /// A point of the sweep.
@@ -78,15 +78,6 @@ impl SweepCertificate {
             marks::sweep(&head, &axes.pinned(&places), &listed).with(LINES, lines.unwrap_or(marks::checked("")));
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
         Ok((Self { points, missing }, marks))
-    }
-
-    /// Number of points of the grid, or of the shard, that are missing.
-    pub(super) fn missing(&self) -> u64 {
-        self.missing
-    }
-
-    pub(super) fn points(&self) -> &[ClaimedOrbit] {
-        &self.points
     }
 
     /// Number of points.

@@ -13,9 +13,9 @@ use serde_json::Value;
 /// The claims of a JSON of tangencies.
 #[derive(Clone, Debug)]
 pub(crate) struct TangencyCertificate {
-    pair: ImpactPair,
-    tangencies: Vec<ClaimedTangency>,
-    contradiction: Option<String>,
+    pub(super) pair: ImpactPair,
+    pub(super) tangencies: Vec<ClaimedTangency>,
+    pub(super) contradiction: Option<String>,
 }
 
 /// A claimed tangency.
@@ -75,14 +75,6 @@ impl TangencyCertificate {
         Ok((Self { pair, tangencies, contradiction }, marks))
     }
 
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn tangencies(&self) -> &[ClaimedTangency] {
-        &self.tangencies
-    }
-
     /// Whether no two tangencies over one parameter may have the same value of it. A tangency with flights of the invariant manifolds
     /// added to its word is the same orbit.
     pub(super) fn are_different(&self) -> bool {
@@ -92,10 +84,6 @@ impl TangencyCertificate {
         };
         let all = &self.tangencies;
         (0..all.len()).all(|i| all[..i].iter().all(|other| !meet(&all[i], other)))
-    }
-
-    pub(super) fn contradiction(&self) -> Option<&str> {
-        self.contradiction.as_deref()
     }
 
     /// Number of claimed tangencies.

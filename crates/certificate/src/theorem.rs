@@ -53,15 +53,15 @@ impl Claims {
             }
             Of::Atlas(certificate) => {
                 let everywhere =
-                    if certificate.has_cells() { "for all parameters of each cell" } else { "at each listed point" };
+                    if certificate.has_cells { "for all parameters of each cell" } else { "at each listed point" };
                 return format!(
                     "{everywhere} of which something is claimed, every motion that touches a wall is in the end in one of the listed \
                      components; where one of these is undecided, each listed periodic motion, horseshoe and stable orbit exists, with its kind"
                 );
             }
             Of::Chaos(certificate) => {
-                let entropy = &certificate.document().entropy;
-                let hyperbolic = certificate.document().hyperbolic.iter().flatten().next().map_or("", |_| {
+                let entropy = &certificate.document.entropy;
+                let hyperbolic = certificate.document.hyperbolic.iter().flatten().next().map_or("", |_| {
                     "; the words of `hyperbolic` make a uniformly hyperbolic set with the listed slope, entropies, exponents and dimension"
                 });
                 return format!(
@@ -75,7 +75,7 @@ impl Claims {
                 );
             }
             Of::Trap(certificate) => {
-                let TrapDocument { entered_at_impact, no_rest, words, .. } = certificate.document();
+                let TrapDocument { entered_at_impact, no_rest, words, .. } = &certificate.document;
                 let rests = if *no_rest { "; no rest and no complete chatter comes after one" } else { "" };
                 let enters = entered_at_impact.map_or(String::new(), |n| {
                     format!("; all impacts of the scene's motion from number {n} on are in it")

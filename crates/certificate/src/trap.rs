@@ -9,9 +9,9 @@ use serde_json::Value;
 /// The claims of a trap JSON.
 #[derive(Clone, Debug)]
 pub(crate) struct TrapCertificate {
-    pair: ImpactPair,
-    start: Start,
-    document: TrapDocument,
+    pub(super) pair: ImpactPair,
+    pub(super) start: Start,
+    pub(super) document: TrapDocument,
 }
 
 impl TrapCertificate {
@@ -29,18 +29,6 @@ impl TrapCertificate {
         let marks = marks::trap(&document);
         let (pair, start) = document.scene.clone().model()?;
         Ok((Self { pair, start, document }, marks))
-    }
-
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn start(&self) -> &Start {
-        &self.start
-    }
-
-    pub(super) fn document(&self) -> &TrapDocument {
-        &self.document
     }
 
     /// Number of boxes of the region.

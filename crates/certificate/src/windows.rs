@@ -17,11 +17,11 @@ use serde_json::Value;
 /// The claims of a JSON of windows.
 #[derive(Clone, Debug)]
 pub(crate) struct WindowsCertificate {
-    pair: ImpactPair,
-    start: Start,
-    over: Key,
-    windows: Vec<ClaimedWindow>,
-    contradiction: Option<String>,
+    pub(super) pair: ImpactPair,
+    pub(super) start: Start,
+    pub(super) over: Key,
+    pub(super) windows: Vec<ClaimedWindow>,
+    pub(super) contradiction: Option<String>,
 }
 
 /// A claimed window.
@@ -57,26 +57,6 @@ impl WindowsCertificate {
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
         Ok((Self { pair, start, over, windows, contradiction }, marks))
-    }
-
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn start(&self) -> &Start {
-        &self.start
-    }
-
-    pub(super) fn over(&self) -> Key {
-        self.over
-    }
-
-    pub(super) fn windows(&self) -> &[ClaimedWindow] {
-        &self.windows
-    }
-
-    pub(super) fn contradiction(&self) -> Option<&str> {
-        self.contradiction.as_deref()
     }
 
     /// Number of claimed windows.

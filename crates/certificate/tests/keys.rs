@@ -32,7 +32,8 @@ fn said() -> BTreeMap<String, BTreeMap<String, Said>> {
         let Some(schema) = lines[0]["schema"].as_str() else { continue };
         let keys = schemas.entry(schema.to_owned()).or_default();
         for (key, by, why) in claims.keys() {
-            let [all_by, all_whys] = keys.entry(key).or_default();
+            // The cells into which a tile is cut have the keys of the tile.
+            let [all_by, all_whys] = keys.entry(key.replace("quarters.", "")).or_default();
             all_by.extend(Some(by.to_owned()).filter(|by| !by.is_empty()));
             all_whys.extend(Some(why.to_owned()).filter(|why| !why.is_empty()));
         }

@@ -22,7 +22,7 @@ impl AtlasCertificate {
     pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
         let mut tally = Tally::default();
-        for (event, point) in self.points().iter().enumerate() {
+        for (event, point) in self.points.iter().enumerate() {
             let placed = is_placed(point.contradiction, point.is_of_grid).map_err(|doubt| doubt.on(event));
             let is_there = placed.is_ok();
             let parts = point.parts.iter().filter(|part| is_there && part.claims_something());
@@ -33,8 +33,8 @@ impl AtlasCertificate {
             }
             tally.end(event, &watch);
         }
-        let claims = if self.has_cells() { (self.claimed(), "cells") } else { (self.count(), "points") };
-        Ok(tally.verdict(claims, self.count(), self.missing()))
+        let claims = if self.has_cells { (self.claimed(), "cells") } else { (self.count(), "points") };
+        Ok(tally.verdict(claims, self.count(), self.missing))
     }
 }
 

@@ -47,14 +47,14 @@ impl BifurcationCertificate {
     /// # Errors
     /// None: a value beyond the range of exact expressions leaves a point undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
+        let over = ParameterFamily { pair: &self.pair, start: &self.start, key: self.over };
         let whole = DocumentCheck {
-            contradiction: self.contradiction(),
+            contradiction: self.contradiction.as_deref(),
             alike: None,
             count: self.count(),
             nothing: "there is no bifurcation to check but grazes",
         };
-        let claims = self.points().iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
+        let claims = self.points.iter().enumerate().filter(|(_, point)| point.kind != Kind::Graze);
         let judge = |point: &ClaimedPoint, budget: &Budget<'_>, _: &dyn Watch| {
             point.judged(&over, budget, ClaimedPoint::compare)
         };
@@ -69,10 +69,10 @@ impl BifurcationCertificate {
     /// Proves that each point is listed once, grazes included. Lemma V13
     fn are_distinct(&self) -> Result<(), Doubt> {
         let open = |i: usize, j: usize| Doubt::Open(format!("points[{i}] and points[{j}] are not proved to be two"));
-        for (j, other) in self.points().iter().enumerate() {
+        for (j, other) in self.points.iter().enumerate() {
             let alike = |(_, one): &(usize, &ClaimedPoint)| one.kind == other.kind && !one.is_elsewhere(other);
-            for (i, one) in self.points()[..j].iter().enumerate().filter(alike) {
-                let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
+            for (i, one) in self.points[..j].iter().enumerate().filter(alike) {
+                let over = ParameterFamily { pair: &self.pair, start: &self.start, key: self.over };
                 let (_, data) = one.data(&over)?;
                 let recurrence = Recurrence::of(&data).ok_or_else(|| open(i, j))?;
                 if !recurrence.are_apart(&one.orbit, &other.orbit, false) {

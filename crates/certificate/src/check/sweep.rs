@@ -30,7 +30,7 @@ impl SweepCertificate {
     pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
         let mut tally = Tally::default();
-        for (event, point) in self.points().iter().enumerate() {
+        for (event, point) in self.points.iter().enumerate() {
             let budget = Budget::new(effort.work, effort.parts, &watch);
             let certificate = Certificate::of_start(point.pair.clone(), point.start.clone());
             let data = Data { budget: budget.clone(), ..Data::new(&point.pair, &point.start)? };
@@ -44,7 +44,7 @@ impl SweepCertificate {
             }
             tally.end(event, &watch);
         }
-        Ok(tally.verdict((self.count(), "points"), self.count(), self.missing()))
+        Ok(tally.verdict((self.count(), "points"), self.count(), self.missing))
     }
 }
 

@@ -152,7 +152,7 @@ pub(crate) fn record<'p>(document: &AtlasRecord, parts: &mut impl Iterator<Item 
             components: open(items(&document.components, own)).here(),
             order: open(claimed(ORDER)),
             stable: each(&document.stable, |own| period(own, "V38")),
-            quarters: list(quarters),
+            quarters: Mark { by: "V38: each cell as the tile", ..list(quarters) },
         }
     );
     if !is_said && document.quarters.is_empty() { setting(nothing).here() } else { result }

@@ -41,7 +41,7 @@ impl ChaosCertificate {
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
-        let law = Law::of(self.pair())?;
+        let law = Law::of(&self.pair)?;
         let mut confirmed = 0;
         let mut progress = |words: usize| {
             confirmed = confirmed.max(words); // exact: a count
@@ -76,7 +76,7 @@ impl ChaosCertificate {
         allowed: u64,
         watch: &dyn Watch,
     ) -> Result<Option<Doubt>, End> {
-        let Some(Some(set)) = &self.document().hyperbolic else { return Ok(None) };
+        let Some(Some(set)) = &self.document.hyperbolic else { return Ok(None) };
         let work = Allowance::new(allowed.saturating_mul(CONE_WORK_FACTOR), watch); // proposes: when to give up
         match cones::doubt(law, listed, set, &work) {
             Err(End::Spent) => Ok(Some(Doubt::open("hyperbolic: the work allowed is spent"))),

@@ -21,7 +21,7 @@ const MAX_H_SETS: usize = 64;
 impl ChaosCertificate {
     /// The h-sets and the words, if what is said of them follows from them.
     pub(super) fn says_one_thing(&self) -> Result<(Vec<HSet>, Vec<Word>), Doubt> {
-        let document = self.document();
+        let document = &self.document;
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         let bases = sound_bases(self.bases())?;
         let mut words = Vec::new();

@@ -39,12 +39,12 @@ impl TrapCertificate {
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
-        let law = Law::of(self.pair())?;
+        let law = Law::of(&self.pair)?;
         let boxes = match self.boxes() {
             Ok(boxes) => boxes,
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
-        let TrapDocument { columns, rows, .. } = *self.document();
+        let TrapDocument { columns, rows, .. } = self.document;
         let region = Region::new(columns, rows, boxes.iter().copied());
         let guess = Guess::new(&law);
         let of_block = |block: Range<usize>| {
@@ -77,9 +77,9 @@ impl TrapCertificate {
             return Ok(Doubt::False("there is no box".into()).on(0));
         };
         let of_words = |words| language::says_what_holds(words, (&law, &guess), &region, &boxes, &watch);
-        let answer = self.says_what_holds(times).and_then(|()| self.document().words.as_ref().map_or(Ok(()), of_words));
+        let answer = self.says_what_holds(times).and_then(|()| self.document.words.as_ref().map_or(Ok(()), of_words));
         let answer = answer.map(|()| f64::MANTISSA_DIGITS);
-        let answer = match (answer, self.document().entered_at_impact) {
+        let answer = match (answer, self.document.entered_at_impact) {
             (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, &watch)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
         };
@@ -92,7 +92,7 @@ impl TrapCertificate {
 
     /// The boxes, if there are N of them in a grid that is judged.
     fn boxes(&self) -> Result<Vec<[i64; 2]>, Doubt> {
-        let TrapDocument { columns, rows, region, boxes, .. } = self.document();
+        let TrapDocument { columns, rows, region, boxes, .. } = &self.document;
         let wrong = |message: &str| Err(Doubt::False(message.to_owned()));
         if !(columns.is_power_of_two() && *columns > 1 && rows.is_power_of_two()) {
             return Err(Doubt::open("only grids of powers of two are checked"));
@@ -121,7 +121,7 @@ impl TrapCertificate {
     /// The bounds hold what is proved of all flights and boxes.
     fn says_what_holds(&self, times: Span) -> Result<(), Doubt> {
         let TrapDocument { rows, region, longest_flight, speed, flight, flight_time, speed_before, .. } =
-            self.document();
+            &self.document;
         let row = |row: i32| BigRational::new(row.into(), (*rows).into());
         let slowest = region.iter().map(|[_, first, _]| *first).min().map(row);
         let fastest = region.iter().map(|[.., last]| last + 1).max().map(row);
@@ -146,7 +146,7 @@ impl TrapCertificate {
         if !is_below(&times[1], longest_flight) {
             return Err(Doubt::open("longest_flight is not proved"));
         }
-        if !times[0].is_positive() && self.document().no_rest {
+        if !times[0].is_positive() && self.document.no_rest {
             return Err(Doubt::open("no_rest is not proved"));
         }
         Ok(())
@@ -154,7 +154,7 @@ impl TrapCertificate {
 
     /// A period \[time\] and the greatest speed of the box \[length/time\].
     fn units(&self) -> Result<[Real; 2], Doubt> {
-        let reference = self.pair().excitation().reference();
+        let reference = self.pair.excitation().reference();
         let units = period(reference).and_then(|period| Ok([period, greatest_speed(reference)?]));
         let units = units.map_err(|_| Doubt::open("the units exceed the range of exact expressions"))?;
         Ok(units.map(|unit| Real::of(&unit, BITS)))
@@ -169,7 +169,7 @@ impl TrapCertificate {
         effort: &Effort,
         watch: &dyn Watch,
     ) -> Result<Result<u32, Doubt>, Error> {
-        let (pair, start) = (self.pair(), self.start());
+        let (pair, start) = (&self.pair, &self.start);
         let open = || Doubt::Open(format!("entered_at_impact: impact {impact} is not proved to be in the region"));
         if impact == 0 {
             let state = starts_at(pair, start)?;

@@ -59,13 +59,13 @@ impl TangencyCertificate {
     /// None: a value beyond the range of exact expressions leaves a tangency undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = DocumentCheck {
-            contradiction: self.contradiction(),
+            contradiction: self.contradiction.as_deref(),
             alike: (!self.are_different()).then_some("two tangencies may be one"),
             count: self.count(),
             nothing: "there is no tangency to check",
         };
-        let claims = self.tangencies().iter().enumerate();
-        Ok(whole.judged(claims, effort, watch, |claim, budget, _| claim.judged(self.pair(), (effort, budget))))
+        let claims = self.tangencies.iter().enumerate();
+        Ok(whole.judged(claims, effort, watch, |claim, budget, _| claim.judged(&self.pair, (effort, budget))))
     }
 }
 

@@ -27,14 +27,14 @@ impl WindowsCertificate {
     /// # Errors
     /// None: a value beyond the range of exact expressions leaves a window undecided.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let over = ParameterFamily { pair: self.pair(), start: self.start(), key: self.over() };
+        let over = ParameterFamily { pair: &self.pair, start: &self.start, key: self.over };
         let whole = DocumentCheck {
-            contradiction: self.contradiction(),
+            contradiction: self.contradiction.as_deref(),
             alike: (!self.are_different()).then_some("two windows may be one"),
             count: self.count(),
             nothing: "there is no window to check",
         };
-        let claims = self.windows().iter().enumerate();
+        let claims = self.windows.iter().enumerate();
         Ok(whole.judged(claims, effort, watch, |window, budget, watch| window.judged(&over, (effort, budget), watch)))
     }
 }
@@ -42,7 +42,7 @@ impl WindowsCertificate {
 impl WindowsCertificate {
     /// Whether all windows are proved to be different.
     fn are_different(&self) -> bool {
-        let all = self.windows();
+        let all = &self.windows;
         (0..all.len()).all(|i| all[..i].iter().all(|other| !all[i].may_be(other)))
     }
 }

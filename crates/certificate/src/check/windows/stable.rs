@@ -149,8 +149,8 @@ mod tests {
         let mut document: Value = serde_json::from_str(DOCUMENT).unwrap();
         *document["windows"][0].pointer_mut(key).unwrap() = value;
         let own = WindowsCertificate::read(&[document]).unwrap().0;
-        let over = ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() };
-        own.windows()[0].is_stable_between(&over, &budget())
+        let over = ParameterFamily { pair: &own.pair, start: &own.start, key: own.over };
+        own.windows[0].is_stable_between(&over, &budget())
     }
 
     /// The curve of stable orbits leads from the claimed orbit to the claimed ends (Lemma V30, window), independently of V8 and V9.
@@ -169,8 +169,7 @@ mod tests {
     #[test]
     fn r52_the_orbit_of_a_window_of_figure_16_is_proved_in_more_bits() {
         let own = WindowsCertificate::read(&[serde_json::from_str(FIGURE_16).unwrap()]).unwrap().0;
-        let (over, window) =
-            (ParameterFamily { pair: own.pair(), start: own.start(), key: own.over() }, &own.windows()[0]);
+        let (over, window) = (ParameterFamily { pair: &own.pair, start: &own.start, key: own.over }, &own.windows[0]);
         let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
         let begun = |spare: i64| {
             let bits = u32::try_from(spare - size).unwrap();

@@ -48,7 +48,7 @@ impl CellsCertificate {
             return Ok((doubt.on(event), 0));
         }
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
-        for (event, stretch) in self.document().stretches.iter().enumerate() {
+        for (event, stretch) in self.document.stretches.iter().enumerate() {
             if stretch.verdict != StretchVerdict::Undecided {
                 let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
                 match self.judged(stretch, &work)? {
@@ -86,7 +86,7 @@ impl CellsCertificate {
             };
             let is_own = stretch.verdict == StretchVerdict::Attracted;
             let proved = self.for_all(stretch, &mut |pair, law| {
-                let requested = (pair, self.start());
+                let requested = (pair, &self.start);
                 if is_own { period.attracts(requested, law, work) } else { period.exists(requested, law, work) }
             })?;
             if let Err(doubt) = said_of_period(proved, is_own) {
@@ -94,7 +94,7 @@ impl CellsCertificate {
             }
         }
         let Some(entropy) = &stretch.entropy else { return Ok(Ok(())) };
-        let mut horseshoe = match Horseshoe::claimed(&stretch.bases, entropy, self.document().depth) {
+        let mut horseshoe = match Horseshoe::claimed(&stretch.bases, entropy, self.document.depth) {
             Ok(horseshoe) => horseshoe,
             Err(doubt) => return Ok(Err(doubt)),
         };

@@ -19,7 +19,7 @@ const BITS: u32 = 128;
 impl CellsCertificate {
     /// The first subinterval, or their number for the whole, of which what is said contradicts the rest.
     pub(super) fn says_one_thing(&self) -> Result<(), (usize, Doubt)> {
-        let (document, all) = (self.document(), self.count());
+        let (document, all) = (&self.document, self.count());
         let wrong = |event, message: &str| Err((event, Doubt::False(message.to_owned())));
         let mut from = &document.over.low.0;
         for (event, stretch) in document.stretches.iter().enumerate() {
@@ -63,10 +63,10 @@ impl CellsCertificate {
     ) -> Result<(), Doubt> {
         let open = |message: &str| Doubt::Open(format!("shares.{name} {message}"));
         let width = |low: &Exact, high: &Exact| high.checked_sub(low).ok();
-        let over = &self.document().over;
+        let over = &self.document.over;
         let range = width(&over.low.0, &over.high.0).ok_or_else(|| open("is beyond exact expressions"))?;
         let mut ends = [BigRational::zero(), BigRational::zero()];
-        for stretch in self.document().stretches.iter().filter(|stretch| is(stretch)) {
+        for stretch in self.document.stretches.iter().filter(|stretch| is(stretch)) {
             let part = width(&stretch.low.0, &stretch.high.0).and_then(|part| part.checked_div(&range).ok());
             let part = part.ok_or_else(|| open("is beyond exact expressions"))?;
             let own = match part.as_rational() {
