@@ -65,7 +65,7 @@ impl AtlasCertificate {
         };
         let points: Vec<ClaimedPoint> = records.iter().enumerate().map(point).collect::<Result<_, Error>>()?;
         let places: Vec<&[Option<u64>]> = points.iter().map(|point| &point.places[..]).collect();
-        let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits().is_some());
+        let has_orbits = points.iter().flat_map(|point| &point.parts).any(|part| part.global.orbits.is_some());
         let marks = marks::atlas(&head, &axes.pinned(&places), has_orbits).with(LINES, marks::list(lines));
         let missing = axes.own_points().saturating_sub(seen.len() as u64); // exact: points that are not of it are refuted
         Ok((Self { points, has_cells: head.cells, missing }, marks))

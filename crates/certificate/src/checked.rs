@@ -35,11 +35,18 @@ pub(super) trait Checked {
     /// The key of the list.
     fn items(&self) -> &'static str;
 
+    /// An item, in words.
+    fn item(&self) -> &'static str;
+
     /// All claims, in words.
-    fn all(&self) -> String;
+    fn all(&self) -> String {
+        self.first(self.count())
+    }
 
     /// The first items, in words.
-    fn first(&self, count: usize) -> String;
+    fn first(&self, count: usize) -> String {
+        counted(count, self.item())
+    }
 
     /// The place of an item, in words.
     fn place(&self, item: usize) -> String {
@@ -71,7 +78,7 @@ pub(super) trait Checked {
         self.count() == 0
     }
 
-    /// The verdict, and how many items are confirmed for all data.
+    /// The verdict, and how many items are confirmed for all data; documents that check item by item count themselves.
     fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
         let reached = AtomicUsize::new(0);
         let watch = &|at: Stage<'_>| {
@@ -85,16 +92,9 @@ pub(super) trait Checked {
     }
 }
 
-/// The methods that all documents have in common.
+/// The methods of documents whose claims are the items of this list, each of which has this name.
 macro_rules! checked {
-    ($items:literal, $item:literal) => {
-        checked!($items);
-
-        fn first(&self, count: usize) -> String {
-            counted(count, $item)
-        }
-    };
-    ($items:literal) => {
+    ($items:literal, $item:expr) => {
         fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
             self.check_within(effort, watch)
         }
@@ -105,6 +105,10 @@ macro_rules! checked {
 
         fn items(&self) -> &'static str {
             $items
+        }
+
+        fn item(&self) -> &'static str {
+            $item
         }
     };
 }
@@ -119,17 +123,7 @@ macro_rules! judged {
 }
 
 impl Checked for Certificate {
-    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        self.check_within(effort, watch)
-    }
-
-    fn count(&self) -> usize {
-        self.events().len()
-    }
-
-    fn items(&self) -> &'static str {
-        "events"
-    }
+    checked!("events", "event");
 
     fn all(&self) -> String {
         format!("{} and the outcome{}", counted(self.events().len(), "event"), self.nearness())
@@ -178,35 +172,13 @@ impl Certificate {
 
 impl Checked for PeriodicCertificate {
     checked!("orbits", "orbit");
-
-    fn all(&self) -> String {
-        counted(self.count(), "orbit")
-    }
 }
 
 impl Checked for CyclesCertificate {
-    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        self.check_within(effort, watch)
-    }
-
-    fn count(&self) -> usize {
-        self.orbits().count()
-    }
-
-    fn items(&self) -> &'static str {
-        "orbits"
-    }
-
-    fn all(&self) -> String {
-        self.first(self.orbits().count())
-    }
-
-    fn first(&self, count: usize) -> String {
-        counted(count, "orbit")
-    }
+    checked!("orbits", "orbit");
 
     fn whole(&self) -> &'static str {
-        if self.contradiction().is_some() { "fixed_points" } else { "certified" }
+        if self.contradiction.is_some() { "fixed_points" } else { "certified" }
     }
 }
 
@@ -236,7 +208,7 @@ impl Checked for GlobalCertificate {
 
     fn all(&self) -> String {
         let components = counted(self.count(), "component");
-        match (self.says_there_are_no_others(), self.has_horseshoes()) {
+        match (self.says_there_are_no_others, self.has_horseshoes()) {
             (true, _) => {
                 format!("{components}, and that every motion that touches a wall is in one of them in the end")
             }
@@ -255,11 +227,7 @@ impl Checked for GlobalCertificate {
 }
 
 impl Checked for TangencyCertificate {
-    checked!("tangencies");
-
-    fn all(&self) -> String {
-        self.first(self.count())
-    }
+    checked!("tangencies", "tangency");
 
     fn first(&self, count: usize) -> String {
         format!("{count} homoclinic {}", if count == 1 { "tangency" } else { "tangencies" })
@@ -280,7 +248,7 @@ impl Checked for SweepCertificate {
 }
 
 impl Checked for AtlasCertificate {
-    checked!("points");
+    checked!("points", "point");
     judged!();
 
     fn first(&self, count: usize) -> String {
@@ -330,7 +298,7 @@ impl Checked for ChaosCertificate {
 }
 
 impl Checked for TrapCertificate {
-    checked!("region");
+    checked!("region", "box");
 
     fn all(&self) -> String {
         let words = if self.document.words.is_some() { ", and the count and entropy of its words" } else { "" };

@@ -15,8 +15,8 @@ use impact_pair_model::Error;
 /// The claims of a JSON of all cycles.
 #[derive(Clone, Debug)]
 pub(crate) struct CyclesCertificate {
-    orbits: PeriodicCertificate,
-    contradiction: Option<String>,
+    pub(super) orbits: PeriodicCertificate,
+    pub(super) contradiction: Option<String>,
 }
 
 impl CyclesCertificate {
@@ -25,18 +25,13 @@ impl CyclesCertificate {
         let whole = whole(values, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let orbits = PeriodicCertificate::of_cycles(&whole, &document)?;
-        let contradiction = contradiction(&document, orbits.orbits());
+        let contradiction = contradiction(&document, &orbits.orbits);
         Ok((Self { orbits, contradiction }, marks::cycles(&document)))
     }
 
-    /// The orbits, as in a periodic JSON.
-    pub fn orbits(&self) -> &PeriodicCertificate {
-        &self.orbits
-    }
-
-    /// A contradiction between the document's own fields.
-    pub(super) fn contradiction(&self) -> Option<&str> {
-        self.contradiction.as_deref()
+    /// Number of claimed cycles.
+    pub fn count(&self) -> usize {
+        self.orbits.count()
     }
 }
 

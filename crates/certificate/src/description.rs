@@ -66,7 +66,7 @@ impl DescriptionCertificate {
         if self.is_fate_judged() || self.document.fate.kind == FateName::Undecided {
             return documents;
         }
-        let message = format!("fate is {}, but no document in it proves that", self.document.fate.kind.text());
+        let message = format!("fate is {}, but no document in it proves that", self.document.fate.kind);
         CheckResult { verdict: Verdict::Undecided(Finding { event: self.after_all(), message }), ..documents }
     }
 
@@ -90,12 +90,12 @@ impl DescriptionCertificate {
             return Some(format!("scene is not that of {key}"));
         }
         if *certified == (fate.kind == FateName::Undecided) {
-            return Some(format!("certified is {certified}, but the fate is {}", fate.kind.text()));
+            return Some(format!("certified is {certified}, but the fate is {}", fate.kind));
         }
         match fate.words() {
             Some(words) if words == fate.message => None,
             Some(words) => Some(format!("fate.message is not what the fields say: {words}")),
-            None => Some(format!("fate lacks a field of {}", fate.kind.text())),
+            None => Some(format!("fate lacks a field of {}", fate.kind)),
         }
     }
 

@@ -20,20 +20,20 @@ use std::cmp::Ordering;
 /// The claims of a JSON of a global analysis.
 #[derive(Clone, Debug)]
 pub(crate) struct GlobalCertificate {
-    pair: ImpactPair,
+    pub(super) pair: ImpactPair,
     /// The periodic motions without rests, if there are any.
-    orbits: Option<PeriodicCertificate>,
-    claimed: Vec<Claimed>,
-    rest_cycle: Option<(u32, bool)>,
+    pub(super) orbits: Option<PeriodicCertificate>,
+    pub(super) claimed: Vec<Claimed>,
+    pub(super) rest_cycle: Option<(u32, bool)>,
     /// Approximate number of boxes for the basins; for each attractor its position and a lower bound of its basin's share of the state space.
     basins: Option<(u32, Vec<(usize, BigRational)>)>,
-    greatest_speed: f64,
+    pub(super) greatest_speed: f64,
     /// Approximate number of boxes of the first partition of the analysis.
-    boxes: u32,
-    says_there_are_no_others: bool,
+    pub(super) boxes: u32,
+    pub(super) says_there_are_no_others: bool,
     /// True if a motion of the pair is proved to graze one wall for ever.
     has_grazing_motion: bool,
-    contradiction: Option<String>,
+    pub(super) contradiction: Option<String>,
 }
 
 /// A component with a claim.
@@ -105,45 +105,14 @@ impl GlobalCertificate {
         })
     }
 
-    pub(super) fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn orbits(&self) -> Option<&PeriodicCertificate> {
-        self.orbits.as_ref()
-    }
-
-    pub(super) fn claimed(&self) -> &[Claimed] {
-        &self.claimed
-    }
-
-    /// The forcing periods of the claimed cycle with rests, and whether the cycle rests on both walls in turn.
-    pub(super) fn rest_cycle(&self) -> Option<(u32, bool)> {
-        self.rest_cycle
-    }
-
     /// The checked claims about basins: the number of boxes, and for each attractor its position and a lower bound.
     pub(super) fn basins(&self) -> Option<(u32, &[(usize, BigRational)])> {
         self.basins.as_ref().map(|(boxes, areas)| (*boxes, &areas[..]))
     }
 
-    pub(super) fn greatest_speed(&self) -> f64 {
-        self.greatest_speed
-    }
-
-    /// Approximate number of boxes of the first partition: with wide intervals few boxes are enough, and many take long.
-    pub(super) fn boxes(&self) -> u32 {
-        self.boxes
-    }
-
     /// What is said of the components depends on this.
     pub(super) fn components(&self) -> Components {
         Components { are_all: self.says_there_are_no_others, has_grazing_motion: self.has_grazing_motion }
-    }
-
-    /// Whether every motion is claimed to end in one of the components with a claim.
-    pub(super) fn says_there_are_no_others(&self) -> bool {
-        self.says_there_are_no_others
     }
 
     /// Whether there is a claim that a check proves.
@@ -164,10 +133,6 @@ impl GlobalCertificate {
     /// Whether a component is claimed to graze, for a pair that has a grazing motion.
     fn has_grazing_claim(&self) -> bool {
         self.has_grazing_motion && self.claimed.iter().any(|claim| claim.kind == ComponentKind::Grazing)
-    }
-
-    pub(super) fn contradiction(&self) -> Option<&str> {
-        self.contradiction.as_deref()
     }
 
     /// A finding about an orbit, as a finding about its component.

@@ -11,12 +11,12 @@ use serde_json::Value;
 /// The claims of a periodic JSON, or of a JSON of two-impact motions.
 #[derive(Clone, Debug)]
 pub(crate) struct PeriodicCertificate {
-    pair: ImpactPair,
-    start: Start,
-    orbits: Vec<OrbitOf>,
-    says_all_is_proved: bool,
-    has_no_rest: bool,
-    mirrors_are_one: bool,
+    pub(super) pair: ImpactPair,
+    pub(super) start: Start,
+    pub(super) orbits: Vec<OrbitOf>,
+    pub(super) says_all_is_proved: bool,
+    pub(super) has_no_rest: bool,
+    pub(super) mirrors_are_one: bool,
 }
 
 /// An orbit, its word and the cycles of the word.
@@ -99,36 +99,8 @@ impl PeriodicCertificate {
         Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one })
     }
 
-    /// The impact pair.
-    pub fn pair(&self) -> &ImpactPair {
-        &self.pair
-    }
-
-    pub(super) fn start(&self) -> &Start {
-        &self.start
-    }
-
-    pub(super) fn orbits(&self) -> &[OrbitOf] {
-        &self.orbits
-    }
-
     /// Number of claimed orbits.
     pub fn count(&self) -> usize {
         self.orbits.len()
-    }
-
-    /// Whether the document claims that all requested results are proved.
-    pub(super) fn says_all_is_proved(&self) -> bool {
-        self.says_all_is_proved
-    }
-
-    /// Whether no part of the state space is left undecided.
-    pub(super) fn has_no_rest(&self) -> bool {
-        self.has_no_rest
-    }
-
-    /// Whether an orbit and its mirror image are listed as one orbit.
-    pub(super) fn mirrors_are_one(&self) -> bool {
-        self.mirrors_are_one
     }
 }

@@ -134,6 +134,11 @@ impl Certificate {
         &self.events
     }
 
+    /// Number of events.
+    pub(super) fn count(&self) -> usize {
+        self.events.len()
+    }
+
     /// The kind of the end of the orbit.
     pub fn outcome(&self) -> OutcomeKind {
         self.ended.kind
@@ -187,7 +192,7 @@ fn claim(document: EventDocument, place: &Place<'_>) -> Result<Claim, Error> {
         ("speed", speed.is_some()),
     ];
     let has_none = |keys: &[&str]| match is_there.iter().find(|(key, is_there)| *is_there && keys.contains(key)) {
-        Some((key, _)) => Err(place.get(key)?.refused(&format!("a {} has none", event.text()))),
+        Some((key, _)) => Err(place.get(key)?.refused(&format!("a {event} has none"))),
         None => Ok(()),
     };
     let kind = match event {

@@ -185,7 +185,7 @@ impl Certificate {
 
 impl GlobalCertificate {
     fn theorem(&self) -> &'static str {
-        match self.says_there_are_no_others() {
+        match self.says_there_are_no_others {
             true => {
                 "for all parameters of the scene every motion that touches a wall is in the end in one of the listed components; each periodic \
                  motion and each cycle with rests exists, with its kind, within its bounds"

@@ -179,7 +179,7 @@ fn wrong_flights(window: &WindowDocument) -> Option<String> {
 impl ClaimedWindow {
     /// Whether the window's orbit is claimed to be stable.
     pub(super) fn is_stable(&self) -> bool {
-        self.orbit.orbits().iter().all(|claim| claim.orbit.stability == Stability::Stable)
+        self.orbit.orbits.iter().all(|claim| claim.orbit.stability == Stability::Stable)
     }
 
     /// Whether the flights are a cyclic rotation of the flights of another window.

@@ -1,5 +1,7 @@
 //! The JSON of what becomes of a motion, schema `impact-pair/description/1`.
 
+use std::fmt;
+
 use impact_pair_model::vocabulary::OutcomeKind;
 use impact_pair_model::{Period, Wall};
 use serde::{Deserialize, Serialize};
@@ -96,6 +98,12 @@ pub enum FateName {
     Undecided,
 }
 
+impl fmt::Display for FateName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
 impl FateName {
     /// Returns the kind that the outcome of an orbit decides, if it decides one.
     pub fn of_outcome(kind: OutcomeKind) -> Option<Self> {
@@ -105,18 +113,6 @@ impl FateName {
             OutcomeKind::RestsForever => Some(Self::RestsForever),
             OutcomeKind::NeverImpacts => Some(Self::NeverImpacts),
             OutcomeKind::ImpactsReached | OutcomeKind::TimeReached | OutcomeKind::Undecided => None,
-        }
-    }
-
-    /// Returns the word of the JSON.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Attracted => "attracted",
-            Self::Periodic => "periodic",
-            Self::RestsForever => "rests-forever",
-            Self::NeverImpacts => "never-impacts",
-            Self::StaysInRegion => "stays-in-region",
-            Self::Undecided => "undecided",
         }
     }
 }

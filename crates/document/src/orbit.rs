@@ -157,15 +157,9 @@ pub enum EventName {
     Release,
 }
 
-impl EventName {
-    /// Returns the word of the orbit JSON.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Impact => "impact",
-            Self::Graze => "graze",
-            Self::Rest => "rest",
-            Self::Release => "release",
-        }
+impl fmt::Display for EventName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
     }
 }
 

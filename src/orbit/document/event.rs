@@ -71,7 +71,7 @@ impl Event {
 /// For the eye: `impact 3 on the right wall, t = 2.487100613920(68,71), v = 28.64282411803(57,69)`.
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name().text())?;
+        write!(f, "{}", self.name())?;
         if let EventKind::Impact { index, .. } = &self.kind {
             write!(f, " {index}")?;
         }

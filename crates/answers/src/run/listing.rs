@@ -88,7 +88,7 @@ pub fn csv_row(event: &EventDocument) -> String {
     let index = event.index.map_or(String::new(), |index| index.to_string());
     let mapping = event.mapping.flatten().map_or(String::new(), |mapping| mapping.to_string());
     let velocity = event.velocity.as_ref().map_or(",".to_owned(), ends);
-    format!("{},{index},{mapping},{},{},{velocity}", event.event.text(), event.wall.name(), ends(&event.time))
+    format!("{},{index},{mapping},{},{},{velocity}", event.event, event.wall.name(), ends(&event.time))
 }
 
 fn line(out: &mut impl Write, document: &impl Serialize) -> io::Result<()> {

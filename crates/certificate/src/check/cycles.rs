@@ -23,11 +23,11 @@ impl CyclesCertificate {
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        let whole = self.orbits().count();
-        if let Some(message) = self.contradiction() {
+        let whole = self.orbits.count();
+        if let Some(message) = self.contradiction.as_deref() {
             return Ok(Verdict::Refuted(Finding { event: whole, message: message.to_owned() }));
         }
-        let verdict = self.orbits().check_within(effort, watch)?;
+        let verdict = self.orbits.check_within(effort, watch)?;
         Ok(match (verdict, self.are_different()) {
             (verdict @ Verdict::Confirmed { .. }, Ok(())) => verdict,
             (Verdict::Confirmed { .. }, Err(doubt)) => doubt.on(whole),
@@ -40,7 +40,7 @@ impl CyclesCertificate {
     fn are_different(&self) -> Result<(), Doubt> {
         let turn = Turn::new();
         let mut known: BTreeMap<Vec<bool>, Vec<(usize, &[Passage])>> = BTreeMap::new();
-        for (i, claim) in self.orbits().orbits().iter().enumerate() {
+        for (i, claim) in self.orbits.orbits.iter().enumerate() {
             let impacts = &claim.orbit.impacts[..];
             let likes = known.entry(flights(impacts)).or_default();
             if let Some((j, _)) = likes.iter().find(|(_, other)| turn.may_be_same(impacts, other)) {

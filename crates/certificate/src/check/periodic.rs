@@ -29,29 +29,27 @@ impl PeriodicCertificate {
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let budget = Budget::new(0, effort.parts, &watch);
-        let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
+        let data = Data { budget: budget.clone(), ..Data::new(&self.pair, &self.start)? };
         let judge = |OrbitOf { word, cycles, orbit }: &OrbitOf| {
             let target = Target::new(&data, word, *cycles, orbit)?;
             target.is_an_orbit(effort.pieces).map(|()| BITS)
         };
-        let each = one_by_one(self.orbits().iter().enumerate(), (&budget, effort.work), judge, &watch);
-        let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits().len()));
+        let each = one_by_one(self.orbits.iter().enumerate(), (&budget, effort.work), judge, &watch);
+        let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits.len()));
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }
 
     /// Checks the claims about all orbits together.
     fn whole(&self, data: &Data) -> Result<(), Doubt> {
-        if self.says_all_is_proved()
-            && !(self.orbits().iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest())
-        {
+        if self.says_all_is_proved && !(self.orbits.iter().all(|claim| claim.orbit.is_decided()) && self.has_no_rest) {
             return Err(Doubt::False("not all requested properties of the orbits are proved".into()));
         }
         // Lemma D23: orbits of the reduced map have their least period.
-        let repeated = self.orbits().iter().position(|claim| self.mirrors_are_one() && claim.orbit.times != Some(1));
+        let repeated = self.orbits.iter().position(|claim| self.mirrors_are_one && claim.orbit.times != Some(1));
         if let Some(i) = repeated {
             return Err(Doubt::False(format!("orbits[{i}] is not claimed to have its least period")));
         }
-        if self.orbits().is_empty() {
+        if self.orbits.is_empty() {
             return Err(Doubt::open("there is no orbit to check"));
         }
         self.are_distinct(data)
@@ -62,9 +60,9 @@ impl PeriodicCertificate {
         let Some(recurrence) = Recurrence::of(data) else {
             return Err(Doubt::open("the harmonics are not proved to have a common period"));
         };
-        for (j, other) in self.orbits().iter().enumerate() {
-            for (i, one) in self.orbits()[..j].iter().enumerate() {
-                if recurrence.are_apart(&one.orbit, &other.orbit, self.mirrors_are_one()) {
+        for (j, other) in self.orbits.iter().enumerate() {
+            for (i, one) in self.orbits[..j].iter().enumerate() {
+                if recurrence.are_apart(&one.orbit, &other.orbit, self.mirrors_are_one) {
                     continue;
                 }
                 return Err(match one.is_within(other) || other.is_within(one) {

@@ -131,7 +131,7 @@ pub(crate) fn record<'p>(document: &AtlasRecord, parts: &mut impl Iterator<Item 
     let part = parts.next().expect("a part for each record");
     let (is_said, nothing) = (part.claims_something(), "nothing is claimed there");
     let open = |mark: Mark| if is_said { mark } else { setting(nothing) };
-    let sets = part.global.says_there_are_no_others() || !part.global.claimed().iter().any(|claim| claim.is_saddle_set);
+    let sets = part.global.says_there_are_no_others || !part.global.claimed.iter().any(|claim| claim.is_saddle_set);
     let unplaced = "the number of sets of saddle type, where the place of some is not given";
     let of = part.global.components();
     let own = |own: &_| component(own, of).with("closed", claimed(AREA));

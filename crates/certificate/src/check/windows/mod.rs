@@ -54,7 +54,7 @@ impl ClaimedWindow {
         if self.at.compare(&other.at) != Some(Ordering::Equal) {
             return self.has_flights_of(other) && !self.is_without(&other.at) && !other.is_without(&self.at);
         }
-        let [own, others] = [self, other].map(|window| window.orbit.orbits());
+        let [own, others] = [self, other].map(|window| &window.orbit.orbits);
         own.iter().any(|one| others.iter().any(|other| may_be_same(&one.orbit, &other.orbit)))
     }
 }

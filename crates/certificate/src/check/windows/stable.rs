@@ -30,7 +30,7 @@ impl ClaimedWindow {
     /// Proves that the orbits between the ends are stable, on one curve through the window's orbit; returns the bits used. Lemma V30
     pub(super) fn is_stable_between(&self, over: &ParameterFamily<'_>, budget: &Budget<'_>) -> Result<u32, Doubt> {
         let [one, other] = &self.ends[..] else { return Err(Doubt::open("an end of the window is not proved")) };
-        let [claim] = self.orbit.orbits() else { return Err(Doubt::open("the window has no orbit")) };
+        let [claim] = &self.orbit.orbits[..] else { return Err(Doubt::open("the window has no orbit")) };
         if claim.orbit.physical != Some(true) || !claim.orbit.unique {
             return Err(Doubt::open("the orbit is not proved to be the only one in its bounds"));
         }
@@ -173,7 +173,7 @@ mod tests {
         let (setting, size) = (Setting::new(over.pair, over.key).unwrap(), -141);
         let begun = |spare: i64| {
             let bits = u32::try_from(spare - size).unwrap();
-            window.begun((&setting, &over), (size, bits), (&window.orbit.orbits()[0], &budget()))
+            window.begun((&setting, &over), (size, bits), (&window.orbit.orbits[0], &budget()))
         };
         assert!(begun(SPARE_BITS).is_err() && begun(2 * SPARE_BITS).is_ok());
     }

@@ -47,7 +47,7 @@ impl GlobalCertificate {
     pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let end = |message: String| Finding { event: self.count(), message };
-        if let Some(message) = self.contradiction() {
+        if let Some(message) = self.contradiction.as_deref() {
             return Ok(Verdict::Refuted(end(message.to_owned())));
         }
         if let Some((place, doubt)) = self.doubts_grazing()? {
@@ -57,7 +57,7 @@ impl GlobalCertificate {
             return Ok(Verdict::Undecided(end("there is no component to check".to_owned())));
         }
         let mut bits = f64::MANTISSA_DIGITS;
-        if let Some(orbits) = self.orbits() {
+        if let Some(orbits) = self.orbits.as_ref() {
             match orbits.check_within(effort, &Silent(&watch))? {
                 Verdict::Confirmed { bits: most, .. } => bits = bits.max(most), // exact: what is shown
                 Verdict::Interrupted { .. } => return Ok(Verdict::Interrupted { events: 0 }),
@@ -78,10 +78,10 @@ impl GlobalCertificate {
 
     /// Place and reason of a claim that a component grazes, if it is false or undecided: only one motion grazes for ever. Lemmas A9, V20
     fn doubts_grazing(&self) -> Result<Option<(usize, Doubt)>, Error> {
-        let claims = self.claimed().iter().enumerate().filter(|(_, claim)| claim.kind == ComponentKind::Grazing);
+        let claims = self.claimed.iter().enumerate().filter(|(_, claim)| claim.kind == ComponentKind::Grazing);
         let places: Vec<usize> = claims.map(|(place, _)| place).collect();
         let Some(&last) = places.last() else { return Ok(None) };
-        if Law::of(self.pair())?.gap.hi() < 2.0 {
+        if Law::of(&self.pair)?.gap.hi() < 2.0 {
             let message = "no motion grazes one wall for ever: it meets the far wall, as d < 2 A";
             return Ok(Some((last, Doubt::False(message.into())))); // V20: A9's motion rises to 2 A
         }
@@ -91,14 +91,14 @@ impl GlobalCertificate {
 
     /// The map has each horseshoe that a component is claimed to hold, and no other one holds the same. Lemma V37
     fn holds_horseshoes(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), (usize, Doubt)>, Error> {
-        let law = Law::of(self.pair())?;
-        for (place, claim) in self.claimed().iter().enumerate() {
+        let law = Law::of(&self.pair)?;
+        for (place, claim) in self.claimed.iter().enumerate() {
             let Some(horseshoe) = &claim.horseshoe else { continue };
             let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE), watch); // proposes: when to give up
             if let Err(doubt) = is_proved(horseshoe, &law, &work) {
                 return Ok(Err((place, doubt)));
             }
-            let others = self.claimed()[..place].iter().enumerate();
+            let others = self.claimed[..place].iter().enumerate();
             for (other, held) in others.filter_map(|(other, claim)| Some((other, claim.horseshoe.as_ref()?))) {
                 if let Err(doubt) = are_apart(horseshoe, held, other) {
                     return Ok(Err((place, doubt)));
@@ -110,12 +110,12 @@ impl GlobalCertificate {
 
     /// The cycle with rests is as claimed, and each recurrent component is one of those claimed, where it is said that there are no others.
     fn covers(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
-        let law = Law::of(self.pair())?;
-        let Some(space) = Space::new(&law, self.basins().map(|_| self.greatest_speed())) else {
+        let law = Law::of(&self.pair)?;
+        let Some(space) = Space::new(&law, self.basins().map(|_| self.greatest_speed)) else {
             return Ok(Err(Doubt::open("greatest_speed is not proved to be more than 2/(1 - e)")));
         };
         let (rests, released) = from_release(&space);
-        if let Some(claimed) = self.rest_cycle() {
+        if let Some(claimed) = self.rest_cycle {
             match rests {
                 Some(found) if found == claimed => {}
                 Some((cycles, _)) => {
@@ -124,9 +124,9 @@ impl GlobalCertificate {
                 None => return Ok(Err(Doubt::open("the released ball is not proved to rest again"))),
             }
         }
-        let rest_claim = self.claimed().iter().position(|claim| claim.kind == ComponentKind::RestCycle);
-        if !self.says_there_are_no_others() {
-            let is_open = rest_claim.is_some() && self.rest_cycle().is_none();
+        let rest_claim = self.claimed.iter().position(|claim| claim.kind == ComponentKind::RestCycle);
+        if !self.says_there_are_no_others {
+            let is_open = rest_claim.is_some() && self.rest_cycle.is_none();
             let open = || Doubt::open("the released ball is not proved to rest again and again");
             return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
@@ -137,12 +137,12 @@ impl GlobalCertificate {
             space: &space,
             released: &released,
             cycles: &cycles,
-            claimed: self.claimed(),
+            claimed: &self.claimed,
             rest_claim,
             has_rests,
         };
         let mut known = Vec::new();
-        if let Err(doubt) = judge.covers(&judge.whole(first_boxes(self.boxes())), 0, &mut work, &mut known, watch) {
+        if let Err(doubt) = judge.covers(&judge.whole(first_boxes(self.boxes)), 0, &mut work, &mut known, watch) {
             return Ok(Err(doubt));
         }
         if let Some(place) = (0..self.count()).find(|place| known.iter().all(|(claim, _)| claim != place)) {
@@ -159,7 +159,7 @@ impl GlobalCertificate {
 
     /// The cycles of the map that are claimed, each with the place of its component.
     fn cycles(&self) -> Result<Vec<(usize, Cycle, bool)>, Error> {
-        let harmonic = self.pair().harmonic("a global analysis")?;
+        let harmonic = self.pair.harmonic("a global analysis")?;
         let (turn, fastest) = (Real::pi(BITS) * 2, Real::of(&greatest_speed(harmonic)?, BITS));
         let half = Span::point(0.5);
         let state = |(is_right, phase, velocity): (bool, Real, Real)| {
@@ -173,7 +173,7 @@ impl GlobalCertificate {
             let states = claim.states(BITS).map(state).collect::<Option<Vec<_>>>()?;
             Some((place, Cycle { states }, claim.attracts))
         };
-        Ok(self.claimed().iter().enumerate().filter_map(of).collect())
+        Ok(self.claimed.iter().enumerate().filter_map(of).collect())
     }
 }
 
