@@ -1,5 +1,7 @@
 //! Results of a check, claim by claim: the verdict on each value of a document.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use crate::checked::Checked;
@@ -98,11 +100,14 @@ impl Claims {
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
     pub fn unjudged(&self) -> Vec<String> {
-        let of = |part: Part<'_>| match &part.claims.of {
-            Of::Unchecked(why) => vec![(*why).to_owned()],
-            _ => part.leaves().names.iter().map(|name| format!("{}{name}", part.prefix)).collect(),
-        };
-        self.parts().into_iter().flat_map(of).collect()
+        if let Of::Unchecked(why) = self.of {
+            return vec![why.to_owned()];
+        }
+        let own = Part { claims: self, prefix: String::new(), first: 0 };
+        let own = if self.marks.is_some() { own.leaves().names } else { BTreeSet::new() };
+        let of =
+            |(at, document): (String, &Self)| document.unjudged().into_iter().map(move |key| format!("{at}.{key}"));
+        own.into_iter().chain(self.documents().into_iter().flatten().flat_map(of)).collect()
     }
 
     /// What is said of each value of the document, but for those of documents in it: its key without positions in lists, the lemmas that
