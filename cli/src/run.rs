@@ -1,16 +1,16 @@
 //! `impact-pair run SCENE`: the certified impacts of a scene.
 
-use std::io::{self, IsTerminal, Write};
-use std::ops::ControlFlow;
+use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use impact_pair::orbit::{Conclusion, Ending, Event, Orbit};
+use impact_pair::orbit::Orbit;
 use impact_pair_answers::{Format, Listing, RunOptions};
 
 use crate::Answer;
 use crate::destination::{Destination, Files, OpenOutput};
+use crate::output::note;
 use crate::progress::Progress;
 use crate::verb::formats;
 use crate::{ending, scene};
@@ -58,33 +58,17 @@ pub fn run(arguments: &RunArguments) -> Result<Answer> {
     let OpenOutput { scene, files: Files { out, quiet, .. }, path } =
         arguments.destination.begin(&arguments.scene, None)?;
     let settings = arguments.options.settings(&scene);
-    let mut orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
-    let visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();
-    let said_already = format == Format::Table && out.is_stdout();
-    let progress = Progress::new(settings.impacts, visible);
-    let mut listing = Listing::new(format, &scene, &settings, out);
-    let write = "cannot write the output";
-    listing.begin(&orbit).context(write)?;
-    let mut last = None;
-    let written = orbit.follow(&progress, |orbit, step| {
-        let Some(event) = Event::of(orbit, &step) else { return ControlFlow::Continue(()) };
-        if let Err(error) = listing.event(&event) {
-            return ControlFlow::Break(error);
-        }
-        last = Some(event);
-        ControlFlow::Continue(())
-    });
-    if let ControlFlow::Break(error) = written {
-        return Err(error).context(write);
-    }
+    let orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
+    let is_visible = !quiet && io::stderr().is_terminal() && !out.is_terminal();
+    let is_said = format == Format::Table && out.is_stdout();
+    let progress = Progress::new(settings.impacts, is_visible);
+    let written = Listing::new(format, &scene, &settings, out).follow(orbit, &progress);
     progress.clear();
-    let conclusion = Conclusion::of(&orbit, last.as_ref());
-    let ending = Ending::of(&orbit, conclusion, &settings);
-    listing.end(&ending).context(write)?.commit()?;
-
-    if !ending.is_complete() && !quiet && !said_already {
-        // Nobody may be listening.
-        let _ = writeln!(io::stderr(), "{ending}");
+    let (out, status) = written.context("cannot write the output")?;
+    out.commit()?;
+    if status.is_complete() {
+        return Ok(Answer::Complete);
     }
-    Ok(if ending.is_complete() { Answer::Complete } else { Answer::Incomplete })
+    note(quiet || is_said, &status.to_string());
+    Ok(Answer::Incomplete)
 }

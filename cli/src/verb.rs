@@ -24,7 +24,7 @@ pub struct Arguments<V: Verb, O: Outputs<V>> {
     scene: PathBuf,
     #[command(flatten)]
     options: V,
-    #[arg(long, help = V::FORMAT, value_name = "FORMAT", value_parser = formats(V::FORMATS))]
+    #[arg(long, help = format_help::<V>(), value_name = "FORMAT", value_parser = formats(V::FORMATS))]
     format: Option<Format>,
     #[command(flatten)]
     outputs: O,
@@ -33,6 +33,13 @@ pub struct Arguments<V: Verb, O: Outputs<V>> {
 /// The argument, where it draws a picture with what the picture of this verb shows.
 fn drawn<V: Verb>(argument: Arg) -> Arg {
     if argument.get_id() == "plot" { argument.help(V::PICTURE) } else { argument }
+}
+
+/// Help of the format.
+fn format_help<V: Verb>() -> String {
+    let schema = if V::SCHEMA.is_empty() { String::new() } else { format!("; json is schema {}", V::SCHEMA) };
+    let usual = V::FORMATS[0].0.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned());
+    format!("Output format{schema} [default: by the extension of --output, else {usual}]")
 }
 
 /// Reads one of the formats of a verb.

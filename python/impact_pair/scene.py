@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core, answers
 from ._document import Document
-from ._exact import IMPACTS, Number, Value, arithmetic_of, doubles_of, optional, optional_whole, single, string, text, texts, whole
+from ._exact import IMPACTS, Number, Value, arithmetic_of, doubles_of, optional_whole, plain, single, string, text, texts, whole
 from ._file import read
 from ._grid import spaced
 from ._progress import Progress, kept, reporting
@@ -177,20 +177,15 @@ class Scene:
         return Scene.from_dict({"title": self.title, **tables, "start": found["start"], "run": run})
 
     def _answer(
-        self,
-        kind: type[Answer],
-        verb: str,
-        options: Mapping[str, Any],
-        unit: str,
-        total: int | None = None,
-        *,
-        picture: bool = False,
-        progress: Progress = None,
-        keep_partial: bool = False,
+        self, kind: type[Answer], verb: str, counted: tuple[str, int | None], how: tuple[bool, Progress, bool], **options: Any
     ) -> Answer:
-        """Return the answer of a verb; options are those of the command line, None is their default."""
+        """Return the answer of a verb: what progress counts, up to how many; whether with a picture, its progress, and what Ctrl-C cuts.
+
+        Options are those of the command line, which says what is accepted; None is their default.
+        """
+        picture, progress, keep_partial = how
         question = (verb, question_of(options))
-        with reporting(progress, unit, total) as report:
+        with reporting(progress, *counted) as report:
             return kept(kind(*_core.answer(self._core, self._path, question, picture, report)), keep_partial)
 
     def run(
@@ -244,7 +239,8 @@ class Scene:
 
         """
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
+        options = {"impacts": impacts, "until": until, "digits": digits, "arithmetic": arithmetic, "splice": splice}
+        requested = question_of(options | {"max_bits": max_bits})
         with reporting(progress, "impacts", impacts) as report:
             return kept(Orbit(_core.run(self._core, requested, report), (self._text, requested)), keep_partial)
 
@@ -297,9 +293,8 @@ class Scene:
         Bounds('-0.693147180559(95,89)')
 
         """
-        options = {"impacts": whole("impacts", impacts, IMPACTS), "depth": whole("depth", depth), "max_bits": whole("max_bits", max_bits)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Description, "describe", options, "impacts and boxes", **how)
+        options = {"impacts": impacts, "depth": depth, "max_bits": max_bits}
+        return self._answer(answers.Description, "describe", ("impacts and boxes", None), (picture, progress, keep_partial), **options)
 
     def flights(
         self, t: npt.ArrayLike, v: npt.ArrayLike, wall: npt.ArrayLike, *, progress: Progress = None, keep_partial: bool = False
@@ -425,10 +420,8 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Periodic:
         """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
-        options: dict[str, Any] = {"word": string("word", word), "cycles": whole("cycles", cycles), "all": bool(all)} | narrow(
-            digits, max_bits
-        )
-        return self._answer(answers.Periodic, "periodic", options, "cells", progress=progress, keep_partial=keep_partial)
+        options = {"word": word, "cycles": cycles, "all": all, "digits": digits, "max_bits": max_bits}
+        return self._answer(answers.Periodic, "periodic", ("cells", None), (False, progress, keep_partial), **options)
 
     def two_impact(
         self,
@@ -444,9 +437,8 @@ class Scene:
 
         ``solve_for`` is ``"velocity"``, ``"amplitude"`` or ``"gap"``: which of the three the other two give.
         """
-        low, high = both_ends("cycles", cycles)
-        options = {"cycles": f"{low}..{high}", "wall": wall, "solve_for": solve_for, "digits": optional_whole("digits", digits)}
-        found = self._answer(answers.TwoImpact, "two-impact", options, "cycles", progress=progress, keep_partial=True)
+        options = {"cycles": both_ends("cycles", cycles), "wall": wall, "solve_for": solve_for, "digits": digits}
+        found = self._answer(answers.TwoImpact, "two-impact", ("cycles", None), (False, progress, True), **options)
         return kept(found.each if isinstance(cycles, tuple) else found.each[0], keep_partial)
 
     def manifold(
@@ -461,12 +453,10 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Manifold:
         """Return A_N (68) over ``{"frequency": (low, high, count)}`` or ``"velocity"``: figures 10 and 11."""
-        key, (low, high, count) = grid(over, '{"frequency": (1, 60, 200)}')
-        first, last = both_ends("cycles", cycles)
-        options: dict[str, Any] = {"manifold": f"{key}={low}..{high}:{count}", "cycles": f"{first}..{last}", "wall": wall}
-        options |= {"digits": optional_whole("digits", digits)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Manifold, "two-impact", options, "points", **how)
+        options = {"manifold": grid(over, '{"frequency": (1, 60, 200)}'), "cycles": both_ends("cycles", cycles)}
+        return self._answer(
+            answers.Manifold, "two-impact", ("points", None), (picture, progress, keep_partial), **options, wall=wall, digits=digits
+        )
 
     def bifurcations(
         self,
@@ -481,9 +471,8 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Bifurcations:
         """Prove folds, pitchforks, period doublings and grazes of a word's orbits over ``{"amplitude": (low, high)}``."""
-        options: dict[str, Any] = {"word": string("word", word), "cycles": whole("cycles", cycles), "over": ranged(over)}
-        options |= {"doublings": whole("doublings", doublings)} | narrow(digits, max_bits)
-        return self._answer(answers.Bifurcations, "bifurcations", options, "steps", progress=progress, keep_partial=keep_partial)
+        options = {"word": word, "cycles": cycles, "over": ranged(over), "doublings": doublings, "digits": digits, "max_bits": max_bits}
+        return self._answer(answers.Bifurcations, "bifurcations", ("steps", None), (False, progress, keep_partial), **options)
 
     def trap(
         self,
@@ -498,9 +487,7 @@ class Scene:
 
         ``effort`` multiplies the work, for narrower bounds: 2, 4, .., 64 bisect the boxes once, twice, .., 6 times.
         """
-        options = {"effort": text("effort", effort), "words": optional_whole("words", words)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Trap, "trap", options, "boxes", **how)
+        return self._answer(answers.Trap, "trap", ("boxes", None), (picture, progress, keep_partial), effort=effort, words=words)
 
     def cycles(
         self,
@@ -512,9 +499,9 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Cycles:
         """Prove all periodic orbits in the region of ``trap`` with this ``effort``, of a number of impacts or a range of numbers."""
-        low, high = both_ends("impacts", impacts)
-        options = {"impacts": f"{low}..{high}", "effort": text("effort", effort), "digits": optional_whole("digits", digits)}
-        return self._answer(answers.Cycles, "cycles", options, "impacts", high, progress=progress, keep_partial=keep_partial)
+        options = {"impacts": both_ends("impacts", impacts), "effort": effort, "digits": digits}
+        most = impacts[1] if isinstance(impacts, tuple) else impacts
+        return self._answer(answers.Cycles, "cycles", ("impacts", most), (False, progress, keep_partial), **options)
 
     def windows(
         self,
@@ -534,10 +521,11 @@ class Scene:
         ``impacts`` of floating-point orbits, times ``effort``, are searched for orbits of at most ``longest`` impacts of the reduced map;
         the ``most`` windows that are nearest to the scene's own value are proved.
         """
-        options: dict[str, Any] = {"over": ranged(over), "impacts": whole("impacts", impacts), "longest": whole("longest", longest)}
-        options |= {"effort": text("effort", effort), "most": whole("most", most)} | narrow(digits, max_bits)
-        how: dict[str, Any] = {"progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Windows, "windows", options, "impacts", impacts if effort == 1 else None, **how)
+        counted = ("impacts", impacts if effort == 1 else None)
+        options = {"over": ranged(over), "impacts": impacts, "effort": effort, "longest": longest, "most": most}
+        return self._answer(
+            answers.Windows, "windows", counted, (False, progress, keep_partial), **options, digits=digits, max_bits=max_bits
+        )
 
     def global_analysis(
         self,
@@ -554,9 +542,8 @@ class Scene:
         ``effort`` multiplies the work: about 300,000 boxes in all, and 65,536 for ``basins``, which are those of attraction. With
         ``horseshoes`` undecided components, the four largest ones, are searched for horseshoes of words of at most that many impacts.
         """
-        options: dict[str, Any] = {"effort": text("effort", effort), "basins": bool(basins)}
-        options |= {"horseshoes": optional_whole("horseshoes", horseshoes), "digits": optional_whole("digits", digits)}
-        return self._answer(answers.GlobalAnalysis, "global", options, "boxes", progress=progress, keep_partial=keep_partial)
+        options = {"effort": effort, "basins": basins, "horseshoes": horseshoes, "digits": digits}
+        return self._answer(answers.GlobalAnalysis, "global", ("boxes", None), (False, progress, keep_partial), **options)
 
     def tangency(
         self,
@@ -578,10 +565,11 @@ class Scene:
         proved. ``effort`` multiplies the work without ``word``: about 30 million flights in floating point for each saddle, and as much
         again to follow folds, 10,000 flights each.
         """
-        options: dict[str, Any] = {"over": ranged(over), "word": None if word is None else string("word", word)}
-        options |= {"longest": whole("longest", longest), "most": whole("most", most), "effort": text("effort", effort)}
-        options |= narrow(digits, max_bits)
-        return self._answer(answers.Tangencies, "tangency", options, "impacts", progress=progress, keep_partial=keep_partial)
+        options = {"over": ranged(over), "word": word, "longest": longest, "most": most, "effort": effort}
+        counted = ("impacts", None)
+        return self._answer(
+            answers.Tangencies, "tangency", counted, (False, progress, keep_partial), **options, digits=digits, max_bits=max_bits
+        )
 
     def chaos(
         self,
@@ -602,11 +590,9 @@ class Scene:
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
         document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it.
         """
-        options: dict[str, Any] = {"depth": optional_whole("depth", depth), "effort": text("effort", effort)}
-        options |= {"over": None if over is None else ranged(over), "bases": None if bases is None else {"bases": bases}}
-        options |= {"hyperbolic": bool(hyperbolic), "no_orbit": bool(no_orbit)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Chaos, "chaos", options, "boxes", **how)
+        options = {"depth": depth, "effort": effort, "over": None if over is None else ranged(over), "hyperbolic": hyperbolic}
+        options |= {"bases": None if bases is None else json.dumps({"bases": bases}), "no_orbit": no_orbit}
+        return self._answer(answers.Chaos, "chaos", ("boxes", None), (picture, progress, keep_partial), **options)
 
     def chaos_cells(
         self,
@@ -623,10 +609,9 @@ class Scene:
         The cells are ``count`` equal parts of the range. An undecided cell is bisected at most 8 times, and once more where ``effort``
         doubles.
         """
-        key, (low, high, count) = grid(over, '{"amplitude": (1, 10, 40)}')
-        options = {"over": f"{key}={low}..{high}:{count}", "effort": text("effort", effort), "depth": whole("depth", depth)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.ChaosCells, "chaos", options, "cells", count, **how)
+        cells = grid(over, '{"amplitude": (1, 10, 40)}')
+        counted = ("cells", int(cells.rpartition(":")[2]))
+        return self._answer(answers.ChaosCells, "chaos", counted, (picture, progress, keep_partial), over=cells, effort=effort, depth=depth)
 
     def trade(
         self,
@@ -638,10 +623,9 @@ class Scene:
         keep_partial: bool = False,
     ) -> answers.Trade:
         """Measure the cost of accuracy: speed, reach and widths of each arithmetic, and the true errors of floating point."""
-        impacts = optional_whole("impacts", impacts, IMPACTS)
-        options = {"impacts": impacts, "max_bits": whole("max_bits", max_bits)}
-        how: dict[str, Any] = {"picture": picture, "progress": progress, "keep_partial": keep_partial}
-        return self._answer(answers.Trade, "trade", options, "impacts", impacts, **how)
+        return self._answer(
+            answers.Trade, "trade", ("impacts", impacts), (picture, progress, keep_partial), impacts=impacts, max_bits=max_bits
+        )
 
     def audit(
         self,
@@ -663,13 +647,12 @@ class Scene:
         """
         if not isinstance(columns, (tuple, list)) or len(columns) != 3:
             raise RangeError(f"columns is {columns!r}, but must be three: of time, wall and velocity", "columns", repr(columns))
-        named = zip(("time_column", "wall_column", "velocity_column"), columns, strict=True)
-        options = {key: None if column is None else str(column) for key, column in named} | narrow(digits, max_bits)
-        options |= {"events": answers.listing(events), "tolerance": text("tolerance", tolerance), "until": optional("until", until)}
+        options = dict(zip(("time_column", "wall_column", "velocity_column"), columns, strict=True))
+        options |= {"events": answers.listing(events), "tolerance": tolerance, "until": until, "digits": digits, "max_bits": max_bits}
         if not velocities:
             options |= {"no_velocity": True, "velocity_column": None}
         try:
-            return self._answer(answers.Audit, "audit", options, "impacts", progress=progress, keep_partial=keep_partial)
+            return self._answer(answers.Audit, "audit", ("impacts", None), (False, progress, keep_partial), **options)
         except ListError as error:
             # Not the options of the command line, but the keyword.
             said = re.sub(r"by --\w+-column NAME or --\w+-column NUMBER", "in columns=", str(error))
@@ -692,7 +675,8 @@ class Scene:
     ) -> answers.Picture:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
-        requested = requested_of(impacts, until, narrow(digits, max_bits), arithmetic, splice)
+        options = {"impacts": impacts, "until": until, "digits": digits, "arithmetic": arithmetic, "splice": splice}
+        requested = question_of(options | {"max_bits": max_bits})
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as report:
             return kept(answers.Picture(*_core.plot(self._core, string("panels", panels), shown, requested, report)), keep_partial)
@@ -721,30 +705,21 @@ class Scene:
         return Scene.from_text, (self._text,)
 
 
-def both_ends(key: str, counts: int | tuple[int, int]) -> tuple[int, int]:
-    """Return the first and the last of a range, or of a single number."""
-    if isinstance(counts, tuple):
-        if len(counts) != 2:
-            raise RangeError(f"{key} is {counts!r}, but must be a number, or a tuple of the first and the last", key, repr(counts))
-        return whole(key, counts[0]), whole(key, counts[1])
-    count = whole(key, counts)
-    return count, count
-
-
-def narrow(digits: int | None, max_bits: int) -> dict[str, Any]:
-    """Return the requested digits and the greatest number of bits, as integers."""
-    return {"digits": optional_whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
-
-
-def requested_of(impacts: int | None, until: Value | None, narrowness: dict[str, Any], arithmetic: str | int, splice: int) -> str:
-    """Return the options of an orbit, as JSON."""
-    options = {"impacts": impacts, "until": optional("until", until), "arithmetic": arithmetic_of(arithmetic)}
-    return question_of(options | {"splice": whole("splice", splice, IMPACTS)} | narrowness)
+def both_ends(key: str, counts: int | tuple[int, int]) -> str:
+    """Return a number, or the first and the last of a range, as on the command line."""
+    if isinstance(counts, tuple) and len(counts) != 2:
+        raise RangeError(f"{key} is {counts!r}, but must be a number, or a tuple of the first and the last", key, repr(counts))
+    return "..".join(text(key, count) for count in (counts if isinstance(counts, tuple) else (counts,)))
 
 
 def question_of(options: Mapping[str, Any]) -> str:
-    """Return options as JSON, named as on the command line."""
-    return json.dumps({key.replace("_", "-"): value for key, value in options.items()})
+    """Return options as JSON, named as on the command line: switches and texts as they are, numbers as exact texts."""
+
+    def said(key: str, value: Any) -> Any:
+        value = plain(value)
+        return value if value is None or isinstance(value, bool) else text(key, value)
+
+    return json.dumps({key.replace("_", "-"): said(key, value) for key, value in options.items()})
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
@@ -755,11 +730,11 @@ def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:
     return f"{key}={text(key, ends[0])}..{text(key, ends[1])}"
 
 
-def grid(over: Mapping[str, Any], example: str) -> tuple[str, tuple[str, str, int]]:
-    """Return a key, the exact first and last of its values, and their number."""
+def grid(over: Mapping[str, Any], example: str) -> str:
+    """Return a key, the exact first and last of its values, and their number, as on the command line."""
     key, values = single(over, example)
     low, high, count = spaced(key, values)
-    return key, (text(key, low), text(key, high), count)
+    return f"{key}={text(key, low)}..{text(key, high)}:{count}"
 
 
 def toml(tables: Mapping[str, Any]) -> str:

@@ -51,8 +51,7 @@ pub struct Bifurcations<'s> {
 impl Verb for BifurcationOptions {
     const NAME: &'static str = "bifurcations";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/bifurcations/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/bifurcations/1";
     type Answer<'s> = Bifurcations<'s>;
 
     fn counts(&self, _: &Scene) -> Counts {

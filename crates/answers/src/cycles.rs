@@ -42,8 +42,7 @@ pub struct AllCycles<'s> {
 impl Verb for CyclesOptions {
     const NAME: &'static str = "cycles";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/cycles/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/cycles/1";
     type Answer<'s> = AllCycles<'s>;
 
     fn answer<'s>(&self, Asked { scene, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<AllCycles<'s>, Failure> {

@@ -51,8 +51,7 @@ impl Verb for GlobalOptions {
         (Format::Graphml, "The graph of components in GraphML"),
         (Format::Dot, "The same in the language of Graphviz"),
     ];
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/global/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/global/1";
     const PICTURE: &'static str = "Draw the state space by the limits of its motions, and the graph of components";
     type Answer<'s> = Analysis<'s>;
 

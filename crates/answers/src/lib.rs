@@ -75,8 +75,8 @@ pub trait Verb: clap::Args {
     const NAME: &'static str;
     /// Formats of the answer, the usual one first, each with its help.
     const FORMATS: &'static [(Format, &'static str)];
-    /// Help of the option that chooses the format.
-    const FORMAT: &'static str;
+    /// Schema of the document, as the help of the format names it; empty where the formats say it.
+    const SCHEMA: &'static str;
     /// Help of the option that draws a picture.
     const PICTURE: &'static str = "";
     /// The answer.

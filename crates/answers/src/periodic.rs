@@ -45,8 +45,7 @@ pub struct Periodic<'s> {
 impl Verb for PeriodicOptions {
     const NAME: &'static str = "periodic";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/periodic/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/periodic/1";
     type Answer<'s> = Periodic<'s>;
 
     fn counts(&self, _: &Scene) -> Counts {

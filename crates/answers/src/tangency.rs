@@ -75,8 +75,7 @@ pub struct HomoclinicTangencies<'s> {
 impl Verb for TangencyOptions {
     const NAME: &'static str = "tangency";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/tangency/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/tangency/1";
     const PICTURE: &'static str = "Draw the nearest tangency: both invariant manifolds in the section, and the point of tangency 1,000 times as large, at its value and 1e-4 to either side";
     type Answer<'s> = HomoclinicTangencies<'s>;
 

@@ -50,8 +50,7 @@ impl Verb for TrapOptions {
         (Format::Graphml, "The graph of boxes, or of words, in GraphML"),
         (Format::Dot, "The same in the language of Graphviz"),
     ];
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/trap/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/trap/1";
     const PICTURE: &'static str = "Draw the region, and a floating-point orbit in it";
     type Answer<'s> = Trapped<'s>;
 

@@ -58,8 +58,7 @@ pub struct StableWindows<'s> {
 impl Verb for WindowsOptions {
     const NAME: &'static str = "windows";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/windows/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/windows/1";
     const PICTURE: &'static str = "Draw the windows: the width over the parameter, on a logarithmic scale";
     type Answer<'s> = StableWindows<'s>;
 

@@ -70,7 +70,7 @@ impl Verb for AuditOptions {
         (Format::Table, "Human-readable: the first disagreements, and a summary"),
         (Format::Json, "One document with every event, schema impact-pair/audit/1"),
     ];
-    const FORMAT: &'static str = "Output format [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "";
     type Answer<'s> = Audited<'s>;
 
     fn counts(&self, _: &Scene) -> Counts {

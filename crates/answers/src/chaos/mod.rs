@@ -115,7 +115,7 @@ pub enum Chaotic<'s> {
 impl Verb for ChaosOptions {
     const NAME: &'static str = "chaos";
     const FORMATS: &'static [(Format, &'static str)] = TABLE_OR_JSON;
-    const FORMAT: &'static str = "Output format; json is schema impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1 [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "impact-pair/chaos/1, with :COUNT impact-pair/chaos-cells/1";
     const PICTURE: &'static str = "Draw a floating-point orbit, the h-sets and their first images; with :COUNT the bifurcation diagram, coloured by verdict";
     type Answer<'s> = Chaotic<'s>;
 

@@ -44,8 +44,7 @@ impl Verb for DescribeOptions {
         (Format::Text, "Human-readable: one line for each question"),
         (Format::Json, "One document of the schema named above"),
     ];
-    const FORMAT: &'static str =
-        "Output format; json is schema impact-pair/description/1 [default: by the extension of --output, else text]";
+    const SCHEMA: &'static str = "impact-pair/description/1";
     const PICTURE: &'static str =
         "Draw time series, phase plane, impacts with region and h-sets, and itinerary on one page";
     type Answer<'s> = Described<'s>;

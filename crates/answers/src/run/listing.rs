@@ -1,15 +1,16 @@
 //! The events of an orbit as a table, JSON, JSON Lines or CSV.
 
 use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
 
 use impact_pair::Scene;
 use impact_pair::json::{Bounds, EventDocument, OrbitEnd, write_orbit};
-use impact_pair::orbit::{Ending, Event};
-use impact_pair::orbit::{Orbit, Settings};
+use impact_pair::orbit::{Conclusion, Ending, Event, Orbit, Settings};
+use impact_pair::watch::Watch;
 use serde::Serialize;
 
 use super::table;
-use crate::Format;
+use crate::{Format, Status};
 
 /// The first line of CSV.
 pub const CSV_HEADER: &str = "event,index,mapping,wall,time_lower,time_upper,velocity_lower,velocity_upper";
@@ -30,11 +31,31 @@ impl<'s, W: Write> Listing<'s, W> {
         Self { format, scene, settings, out, held_back: Vec::new() }
     }
 
-    /// Writes the part of the output before the events.
+    /// Writes the events of the orbit as they are certified, until the watch stops it; returns the writer, and how much is certified.
     ///
     /// # Errors
     /// If the writer fails.
-    pub fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
+    pub fn follow(mut self, mut orbit: Orbit, watch: &dyn Watch) -> io::Result<(W, Status)> {
+        self.begin(&orbit)?;
+        let mut last = None;
+        let written = orbit.follow(watch, |orbit, step| {
+            let Some(event) = Event::of(orbit, &step) else { return ControlFlow::Continue(()) };
+            if let Err(error) = self.event(&event) {
+                return ControlFlow::Break(error);
+            }
+            last = Some(event);
+            ControlFlow::Continue(())
+        });
+        if let ControlFlow::Break(error) = written {
+            return Err(error);
+        }
+        let ending = Ending::of(&orbit, Conclusion::of(&orbit, last.as_ref()), self.settings);
+        let status = Status::new(ending.is_complete(), ending.to_string());
+        Ok((self.end(&ending)?, status))
+    }
+
+    /// Writes the part of the output before the events.
+    fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
@@ -44,10 +65,7 @@ impl<'s, W: Write> Listing<'s, W> {
     }
 
     /// Writes an event, or holds it back.
-    ///
-    /// # Errors
-    /// If the writer fails.
-    pub fn event(&mut self, event: &Event) -> io::Result<()> {
+    fn event(&mut self, event: &Event) -> io::Result<()> {
         match self.format {
             Format::Table => table::event(&mut self.out, event),
             Format::Json => {
@@ -60,10 +78,7 @@ impl<'s, W: Write> Listing<'s, W> {
     }
 
     /// Writes the part of the output after the events, and returns the writer.
-    ///
-    /// # Errors
-    /// If the writer fails.
-    pub fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
+    fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,
             Format::Json => {

@@ -37,7 +37,7 @@ impl Verb for TradeOptions {
         (Format::Table, "Human-readable: one line per row"),
         (Format::Json, "One document, schema impact-pair/trade/1"),
     ];
-    const FORMAT: &'static str = "Output format [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "";
     const PICTURE: &'static str = "Draw the time per impact over the certified digits";
     type Answer<'s> = Trade<'s>;
 

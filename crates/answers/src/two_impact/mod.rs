@@ -119,7 +119,7 @@ impl Verb for TwoImpactOptions {
         ),
         (Format::Csv, "For a parameter manifold: one point per line, bounds in columns"),
     ];
-    const FORMAT: &'static str = "Output format [default: by the extension of --output, else table]";
+    const SCHEMA: &'static str = "";
     const PICTURE: &'static str = "Draw the parameter manifold";
     type Answer<'s> = TwoImpact<'s>;
 
