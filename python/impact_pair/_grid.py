@@ -143,6 +143,9 @@ def computed(
     with reporting(progress, "points", core.points) as report, contextlib.suppress(KeyboardInterrupt):
         if executor is None:
             core.complete(journal, report)
+            if report is not None:
+                # Some are finished after the last look.
+                report(core.points - sum(last - first for first, last in journal.missing()))
         else:
             Run(question, journal, core.points, Rate(seconds, count), report).on(executor)
     return journal
