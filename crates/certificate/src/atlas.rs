@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::marks::{self, LINES, Mark};
+use super::marks::{self, LINES, Mark, Proved};
 use impact_pair_document::{ATLAS_SCHEMA, AtlasHead, AtlasRecord, PeriodDocument, Place};
 use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::{Error, ImpactPair, Start};
@@ -57,7 +57,7 @@ impl AtlasCertificate {
             let place = Place::at(format!("points[{i}]"), value);
             let record: AtlasRecord = place.read()?;
             let mut claimed = ClaimedPoint::of(&head, &axes, &record, &place)?;
-            lines.push(marks::record(&record, &mut claimed.parts.iter()));
+            lines.push(marks::record(&record, &mut claimed.parts.iter().map(Part::proved)));
             if !seen.insert(record.point) {
                 claimed.contradiction = Some("its point is listed before as well");
             }
@@ -101,6 +101,16 @@ impl Part {
             parts.extend(Self::all(head, quarter, place)?);
         }
         Ok(parts)
+    }
+
+    /// What is said of its values depends on this.
+    fn proved(&self) -> Proved {
+        let has_sets = self.global.claimed.iter().any(|claim| claim.is_saddle_set);
+        Proved {
+            is_said: self.claims_something(),
+            counts_sets: self.global.says_there_are_no_others || !has_sets,
+            components: self.global.components(),
+        }
     }
 
     /// Whether there is a claim to prove.

@@ -1,7 +1,6 @@
 //! The bifurcation JSON, read back: the claims about its points, as exact fractions.
 
 use super::attraction::{Bounds, ClaimedOrbit};
-use super::claims::whole;
 use super::marks::{self, Mark};
 use impact_pair_document::{BIFURCATION_SCHEMA, BifurcationDocument, BifurcationPointDocument, Place};
 use impact_pair_exact::Exact;
@@ -80,7 +79,7 @@ impl ClaimedPoint {
 impl BifurcationCertificate {
     /// Reads a bifurcation JSON.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, BIFURCATION_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, BIFURCATION_SCHEMA)?;
         let document: BifurcationDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
         let places = whole.get("points")?.list()?;

@@ -1,9 +1,8 @@
 //! The JSON of verdicts over the cells of a parameter, read back.
 
 use super::bifurcation::parameter;
-use super::claims::whole;
 use super::marks::{self, Mark};
-use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument};
+use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument, Place};
 use impact_pair_exact::Exact;
 use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::StretchVerdict;
@@ -23,7 +22,7 @@ pub(crate) struct CellsCertificate {
 impl CellsCertificate {
     /// Reads a JSON of cells.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, CHAOS_CELLS_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, CHAOS_CELLS_SCHEMA)?;
         let document: ChaosCellsDocument = whole.read()?;
         let key = parameter(&whole.get("over")?.get("key")?)?;
         let (pair, start) = document.scene.clone().model()?;

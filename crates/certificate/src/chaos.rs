@@ -1,9 +1,8 @@
 //! The JSON of words and entropy, read back.
 
 use super::bifurcation::parameter;
-use super::claims::whole;
 use super::marks::{self, Mark};
-use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS};
+use impact_pair_document::{BaseDocument, CHAOS_SCHEMA, ChaosDocument, MOST_WORDS, Place};
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 use serde_json::Value;
@@ -19,7 +18,7 @@ pub(crate) struct ChaosCertificate {
 impl ChaosCertificate {
     /// Reads a chaos JSON.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, CHAOS_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, CHAOS_SCHEMA)?;
         let document: ChaosDocument = whole.read()?;
         if !document.certified {
             return Err(whole.get("certified")?.refused("only a certified entropy claims anything: accepted is true"));

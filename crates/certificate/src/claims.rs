@@ -335,23 +335,11 @@ impl Claims {
 impl Of {
     /// A document that is read but not checked.
     fn unchecked<T: DeserializeOwned>(values: &[Value], why: &'static str) -> Result<(Self, Option<Mark>), Error> {
-        only(values)?.read::<T>().map(|_| (Self::Unchecked(why), None))
+        Place::alone(values)?.read::<T>().map(|_| (Self::Unchecked(why), None))
     }
 }
 
 /// The claims of a verb, with what is said of each value.
 pub(super) fn boxed<C>((claims, marks): (C, Mark), of: impl Fn(Box<C>) -> Of) -> (Of, Option<Mark>) {
     (of(Box::new(claims)), Some(marks))
-}
-
-/// The value of a document that is no JSON Lines.
-fn only(values: &[Value]) -> Result<Place<'_>, Error> {
-    let [value] = values else { return Err(Error::certificate("not JSON: more follows the document".to_owned())) };
-    Ok(Place::whole(value))
-}
-
-/// The value of a document of this schema, which is no JSON Lines.
-pub(super) fn whole<'v>(values: &'v [Value], schema: &str) -> Result<Place<'v>, Error> {
-    only(values)?;
-    Place::of_schema(&values[0], schema)
 }

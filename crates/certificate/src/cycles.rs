@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::claims::whole;
 use impact_pair_model::vocabulary::Stability;
 use serde_json::Value;
 
 use super::marks::{self, Mark};
 use crate::periodic::OrbitOf;
 use crate::periodic::PeriodicCertificate;
-use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument};
+use impact_pair_document::{CYCLES_SCHEMA, CyclesDocument, Place};
 use impact_pair_model::Error;
 
 /// The claims of a JSON of all cycles.
@@ -22,7 +21,7 @@ pub(crate) struct CyclesCertificate {
 impl CyclesCertificate {
     /// Reads the JSON of all cycles: its orbits and whether its counts fit them.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, CYCLES_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, CYCLES_SCHEMA)?;
         let document: CyclesDocument = whole.read()?;
         let orbits = PeriodicCertificate::of_cycles(&whole, &document)?;
         let contradiction = contradiction(&document, &orbits.orbits);

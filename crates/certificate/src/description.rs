@@ -1,12 +1,11 @@
 //! The JSON of a description, read back: the orbit and the region inside are documents of their own.
 
-use super::claims::{Of, boxed, whole};
 use super::marks::{self, Mark};
 use serde_json::Value;
 
 use crate::trap::TrapCertificate;
-use crate::{Certificate, CheckResult, Claims, Finding, Verdict};
-use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName};
+use crate::{Certificate, CheckResult, Claims, Finding, Of, Verdict, boxed};
+use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place};
 use impact_pair_model::{Error, Period, Word};
 
 /// The claims of a description.
@@ -23,7 +22,7 @@ const REGION: &str = "region";
 impl DescriptionCertificate {
     /// Reads a description.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, DESCRIPTION_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, DESCRIPTION_SCHEMA)?;
         let document: DescriptionDocument = whole.read()?;
         document.scene.clone().model()?;
         if document.proof.as_ref().is_some_and(|orbit| orbit.claim != ClaimName::ExactStart) {

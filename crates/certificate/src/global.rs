@@ -2,7 +2,6 @@
 
 use super::Finding;
 use super::attraction::{Bounds, ClaimedOrbit};
-use super::claims::whole;
 use super::cycles::is_reduced_period;
 use super::marks::{self, Components, Mark};
 use super::periodic::{OrbitOf, PeriodicCertificate};
@@ -60,7 +59,7 @@ const PERIODIC_KINDS: [(ComponentKind, Stability); 2] =
 impl GlobalCertificate {
     /// Reads a JSON of a global analysis.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, GLOBAL_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, GLOBAL_SCHEMA)?;
         let document: GlobalDocument = whole.read()?;
         let own = Self::of(&document, &whole)?;
         let marks = marks::global(&document, own.components());
@@ -157,7 +156,7 @@ impl Claimed {
         };
         let reduced = component.reduced_impacts.map_or(0, |impacts| impacts as usize);
         let (kind, closed) = (component.kind, component.closed);
-        let (is_saddle_set, horseshoe) = (is_saddle_set(component), component.horseshoe.clone());
+        let (is_saddle_set, horseshoe) = (component.is_saddle_set(), component.horseshoe.clone());
         Ok(Self { kind, attracts, closed, is_saddle_set, horseshoe, place, reduced, orbit })
     }
 
@@ -174,11 +173,6 @@ fn has_grazing_motion(pair: &ImpactPair) -> bool {
     let harmonic = pair.harmonic("a global analysis").ok();
     let twice = harmonic.and_then(|harmonic| harmonic.amplitude().checked_mul(&Exact::from(2)).ok());
     twice.and_then(|twice| pair.gap().compare(&twice)).is_some_and(Ordering::is_ge)
-}
-
-/// Whether a component is claimed to be a set of saddle type, not one periodic motion.
-pub(super) fn is_saddle_set(component: &ComponentDocument) -> bool {
-    component.kind == ComponentKind::Saddle && component.orbit.is_none()
 }
 
 /// A statement of the document that its own fields contradict.
@@ -234,7 +228,7 @@ fn of_component(own: &ComponentDocument) -> Option<&'static str> {
     if own.horseshoe.is_some() && own.kind != ComponentKind::Undecided {
         return Some("horseshoes are looked for where nothing else is proved");
     }
-    let periodic = PERIODIC_KINDS.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !is_saddle_set(own));
+    let periodic = PERIODIC_KINDS.iter().find(|(kind, _)| *kind == own.kind).filter(|_| !own.is_saddle_set());
     let Some((_, stability)) = periodic else {
         let has_orbit =
             own.orbit.is_some() || own.word.is_some() || own.reduced_impacts.is_some() || own.spectral_radius.is_some();

@@ -50,6 +50,7 @@ mod windows;
 
 pub use check::{Effort, Finding, Verdict};
 pub use claims::Claims;
+use claims::{Of, boxed};
 #[doc(inline)]
 pub use impact_pair_document as document;
 pub use judged::CheckResult;

@@ -1,7 +1,6 @@
 //! The periodic JSON, read back: the claims about its orbits, as exact fractions.
 
 use super::attraction::ClaimedOrbit;
-use super::claims::whole;
 use super::marks::{self, Mark};
 use impact_pair_document::{CyclesDocument, PERIODIC_SCHEMA, PeriodicDocument, Place, TwoImpactDocument};
 use impact_pair_exact::Exact;
@@ -30,7 +29,7 @@ pub(super) struct OrbitOf {
 impl PeriodicCertificate {
     /// Reads a periodic JSON.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, PERIODIC_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, PERIODIC_SCHEMA)?;
         let document: PeriodicDocument = whole.read()?;
         let has_rest = document.undecided.as_ref().is_some_and(|rest| !rest.is_empty());
         let marks = marks::periodic(&document);
@@ -39,7 +38,7 @@ impl PeriodicCertificate {
 
     /// Reads a JSON of two-impact motions, solved for the velocity.
     pub(super) fn read_two_impact(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, PERIODIC_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, PERIODIC_SCHEMA)?;
         let document: TwoImpactDocument = whole.read()?;
         let (has_rest, marks) = (!document.undecided.is_empty(), marks::two_impact(&document));
         let TwoImpactDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, .. } = document;

@@ -2,7 +2,6 @@
 
 use super::attraction::Bounds;
 use super::bifurcation::parameter;
-use super::claims::whole;
 use super::marks::{self, Mark};
 use impact_pair_document::{HomoclinicTangencyDocument, Place, StateBoundsDocument, TANGENCY_SCHEMA, TangencyDocument};
 use impact_pair_model::scene::Key;
@@ -64,7 +63,7 @@ pub(super) struct ClaimedSides {
 impl TangencyCertificate {
     /// Reads a JSON of tangencies.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, TANGENCY_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, TANGENCY_SCHEMA)?;
         let document: TangencyDocument = whole.read()?;
         let places = whole.get("tangencies")?.list()?;
         let read = document.tangencies.iter().zip(&places).map(|(claim, place)| ClaimedTangency::of(claim, place));

@@ -1,6 +1,5 @@
 //! The JSON of a trapping region, read back.
 
-use super::claims::whole;
 use super::marks::{self, Mark};
 use impact_pair_document::{Place, TRAP_SCHEMA, TrapDocument};
 use impact_pair_model::{Error, ImpactPair, Start};
@@ -17,7 +16,7 @@ pub(crate) struct TrapCertificate {
 impl TrapCertificate {
     /// Reads a trap JSON.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, TRAP_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, TRAP_SCHEMA)?;
         Self::of(whole.read()?, &whole)
     }
 

@@ -2,7 +2,6 @@
 
 use super::attraction::ClaimedOrbit;
 use super::bifurcation::{ClaimedPoint, parameter};
-use super::claims::whole;
 use super::marks::{self, Mark};
 use crate::periodic::OrbitOf;
 use crate::periodic::PeriodicCertificate;
@@ -42,7 +41,7 @@ pub(super) struct ClaimedWindow {
 impl WindowsCertificate {
     /// Reads a JSON of windows.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
-        let whole = whole(values, WINDOWS_SCHEMA)?;
+        let whole = Place::alone_of_schema(values, WINDOWS_SCHEMA)?;
         let document: WindowsDocument = whole.read()?;
         let over = parameter(&whole.get("over")?.get("key")?)?;
         let (pair, _) = document.scene.clone().model()?;

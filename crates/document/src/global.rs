@@ -211,6 +211,11 @@ impl GlobalDocument {
 }
 
 impl ComponentDocument {
+    /// Returns whether it is claimed to be a set of saddle type, not one periodic motion.
+    pub fn is_saddle_set(&self) -> bool {
+        self.kind == ComponentKind::Saddle && self.orbit.is_none()
+    }
+
     /// Returns whether its motion is known to be its own mirror image, half a period later: else one motion of the reduced map stands for two.
     fn is_its_mirror_image(&self) -> bool {
         self.alternates == Some(true) || self.orbit.as_ref().is_some_and(|orbit| orbit.symmetric == Some(true))

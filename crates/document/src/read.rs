@@ -55,6 +55,18 @@ impl<'j> Place<'j> {
         if is_other { Err(schema.refused(&format!("accepted is \"{accepted}\""))) } else { Ok(whole) }
     }
 
+    /// Returns the whole document that is no JSON Lines.
+    pub fn alone(values: &'j [Value]) -> Result<Self, Error> {
+        let [value] = values else { return Err(Error::certificate("not JSON: more follows the document".to_owned())) };
+        Ok(Self::whole(value))
+    }
+
+    /// Returns the whole document that is no JSON Lines, which must have this schema.
+    pub fn alone_of_schema(values: &'j [Value], accepted: &str) -> Result<Self, Error> {
+        Self::alone(values)?;
+        Self::of_schema(&values[0], accepted)
+    }
+
     /// Returns a value at a key.
     pub fn at(key: String, value: &'j Value) -> Self {
         Self { key, value }

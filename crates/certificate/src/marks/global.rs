@@ -4,11 +4,9 @@ use impact_pair_document::{BasinDocument, BasinsDocument, ComponentDocument, Glo
 use impact_pair_model::vocabulary::{Class, ComponentKind};
 
 use super::chaos::{REQUEST, base, entropies};
-use super::orbit::{PROGRAM, READ};
 use super::periodic::{InPlace, periodic_orbit};
-use super::scene::{Unused, scene};
+use super::scene::{PROGRAM, READ, Unused, scene};
 use super::{Mark, checked, claimed, each, fields, items, optional, setting};
-use crate::global::is_saddle_set;
 
 /// What is said of components depends on this. Lemmas V20, V27, V28, V37
 #[derive(Clone, Copy)]
@@ -67,7 +65,7 @@ fn basins(document: &BasinsDocument) -> Mark {
 
 pub(super) fn component(document: &ComponentDocument, of: Components) -> Mark {
     let is_grazing = document.kind == ComponentKind::Grazing;
-    let may_be_none = is_saddle_set(document) || is_grazing && !of.has_grazing_motion;
+    let may_be_none = document.is_saddle_set() || is_grazing && !of.has_grazing_motion;
     let of_period = || checked("V20").only_here(!lacks_symmetry(document), "its symmetry is undecided");
     fields!(
         document,

@@ -4,11 +4,10 @@ use impact_pair_document::{AtlasHead, AtlasRecord, SweepAxis, SweepHead, SweepIm
 use impact_pair_model::scene::Key;
 
 use super::chaos::{REQUEST, period};
-use super::global::{AREA, ORDER, SPEED, class_of, component};
-use super::orbit::{PROGRAM, READ, arithmetic};
-use super::scene::{Unused, scene};
+use super::global::{AREA, Components, ORDER, SPEED, class_of, component};
+use super::orbit::arithmetic;
+use super::scene::{PROGRAM, READ, Unused, scene};
 use super::{Mark, checked, claimed, each, fields, items, list, setting};
-use crate::atlas::Part;
 
 /// The part of a grid that the points of a document determine.
 pub(crate) struct Pinned {
@@ -126,14 +125,21 @@ pub(crate) fn atlas(head: &AtlasHead, pinned: &Pinned, has_orbits: bool) -> Mark
     )
 }
 
-/// A point, or a tile with the cells into which it is cut: `parts` has the claims of each, in this order.
-pub(crate) fn record<'p>(document: &AtlasRecord, parts: &mut impl Iterator<Item = &'p Part>) -> Mark {
-    let part = parts.next().expect("a part for each record");
-    let (is_said, nothing) = (part.claims_something(), "nothing is claimed there");
+/// What is said of a point or a cell depends on this.
+pub(crate) struct Proved {
+    /// Something is claimed there.
+    pub is_said: bool,
+    /// The number of sets of saddle type is checked: the place of each is given, or there is none. Lemma V28
+    pub counts_sets: bool,
+    pub components: Components,
+}
+
+/// A point, or a tile with the cells into which it is cut: `parts` has what is claimed of each, in this order.
+pub(crate) fn record(document: &AtlasRecord, parts: &mut impl Iterator<Item = Proved>) -> Mark {
+    let Proved { is_said, counts_sets, components: of } = parts.next().expect("a part for each record");
+    let nothing = "nothing is claimed there";
     let open = |mark: Mark| if is_said { mark } else { setting(nothing) };
-    let sets = part.global.says_there_are_no_others || !part.global.claimed.iter().any(|claim| claim.is_saddle_set);
     let unplaced = "the number of sets of saddle type, where the place of some is not given";
-    let of = part.global.components();
     let own = |own: &_| component(own, of).with("closed", claimed(AREA));
     let quarters: Vec<Mark> = document.quarters.iter().map(|quarter| record(quarter, parts)).collect();
     let result = fields!(
@@ -144,7 +150,7 @@ pub(crate) fn record<'p>(document: &AtlasRecord, parts: &mut impl Iterator<Item 
             class: open(class_of(document.class)).here(),
             n_attracting: open(checked("V25")).here(),
             n_rest: open(checked("V25")).here(),
-            n_saddle: open(checked("V25, V28").only(sets, unplaced)).here(),
+            n_saddle: open(checked("V25, V28").only(counts_sets, unplaced)).here(),
             n_undecided: open(checked("V25")).here(),
             undecided_area: open(claimed(AREA)),
             seconds: setting("the only value that depends on the machine"),

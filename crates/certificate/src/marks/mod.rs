@@ -14,7 +14,7 @@ mod tangency;
 pub(super) use chaos::{cells, chaos, trap};
 pub(super) use global::Components;
 pub(super) use global::global;
-pub(super) use grid::{Listed, Pinned, atlas, point, record, sweep};
+pub(super) use grid::{Listed, Pinned, Proved, atlas, point, record, sweep};
 pub(super) use orbit::{description, orbit};
 pub(super) use periodic::{bifurcations, cycles, periodic, two_impact, windows};
 pub(super) use tangency::tangency;

@@ -8,11 +8,9 @@ use impact_pair_model::Period;
 use impact_pair_model::vocabulary::OutcomeKind;
 
 use super::periodic::{InPlace, periodic_orbit};
-use super::scene::{Unused, scene};
+use super::scene::{PROGRAM, READ, Unused, scene};
 use super::{Mark, checked, claimed, each, fields, list, optional, setting};
 
-pub(super) const READ: &str = "read: no other is checked";
-pub(super) const PROGRAM: &str = "the program that wrote it";
 const METHOD: &str = "the method: the check has its own";
 const EVENTS: &str = "V1, V2; rests V3, grazes V4; shadowed V10";
 

@@ -7,8 +7,7 @@ use impact_pair_document::{
 use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::{Bifurcation, Stability};
 
-use super::orbit::{PROGRAM, READ};
-use super::scene::{Unused, range, scene};
+use super::scene::{PROGRAM, READ, Unused, range, scene};
 use super::{Mark, checked, claimed, each, fields, items, optional, setting};
 
 const EXHAUSTIVE: &str = "no lemma of the check covers a search";

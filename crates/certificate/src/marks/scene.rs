@@ -17,6 +17,9 @@ pub(crate) struct Unused {
     pub is_grid: bool,
 }
 
+/// What the checker takes in a document, and the program that wrote it.
+pub(super) const READ: &str = "read: no other is checked";
+pub(super) const PROGRAM: &str = "the program that wrote it";
 /// What the data of claims are checked by.
 const DATA: &str = "the data of all claims";
 const VARIED: &str = "a parameter that varies: its own value only names the scene";

@@ -5,8 +5,7 @@ use impact_pair_document::{
 };
 use impact_pair_model::scene::Key;
 
-use super::orbit::{PROGRAM, READ};
-use super::scene::{Unused, scene};
+use super::scene::{PROGRAM, READ, Unused, scene};
 use super::{Mark, checked, each, fields, items, optional, setting};
 
 const SADDLE: &str = "V17, V29";
