@@ -4,32 +4,8 @@ use std::fmt;
 use std::num::NonZeroU16;
 use std::str::FromStr;
 
-use super::section::nearest;
+use super::letters::{listed, nearest, spelled};
 use crate::error::Error;
-
-/// Accepted beside the names of keys: the letters in which results are printed, each with the table and the name that it stands for.
-pub(super) const LETTERS: [(&str, &str, &str); 6] = [
-    ("A", "excitation", "amplitude"),
-    ("W", "excitation", "frequency"),
-    ("angular-frequency", "excitation", "frequency"),
-    ("tau", "excitation", "phase"),
-    ("d", "pair", "gap"),
-    ("e", "pair", "restitution"),
-];
-
-/// The name that a letter stands for; any other name as it is.
-pub(super) fn spelled(name: &str) -> &str {
-    LETTERS.iter().find(|(letter, ..)| *letter == name).map_or(name, |(.., long)| long)
-}
-
-/// Names with the letters that are accepted for them: `gap (d), restitution (e)`.
-pub(super) fn listed(names: &[&str]) -> String {
-    let with_letters = |name: &&str| {
-        let letters: Vec<&str> = LETTERS.iter().filter(|(.., long)| long == name).map(|(letter, ..)| *letter).collect();
-        if letters.is_empty() { (*name).to_owned() } else { format!("{name} ({})", letters.join(", ")) }
-    };
-    names.iter().map(with_letters).collect::<Vec<_>>().join(", ")
-}
 
 /// The number of a term of the excitation, from 1, in the order of the scene file.
 pub type Term = NonZeroU16;

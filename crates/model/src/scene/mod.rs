@@ -7,6 +7,7 @@
 //! or `position`. `title` and `[run]` are optional. The letters `A`, `W`, `tau`, `d` and `e` stand for the names of parameters.
 
 mod key;
+mod letters;
 mod range;
 mod section;
 mod vary;

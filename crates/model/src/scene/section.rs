@@ -4,31 +4,13 @@ use std::ops::{Range, RangeInclusive};
 
 use toml_edit::{Item, Key, TableLike, Value};
 
-use super::key::{LETTERS, listed, spelled};
+use super::letters::{LETTERS, elsewhere, listed, nearest, spelled};
 use crate::error::{Error, shown};
 use crate::excerpt::Excerpt;
 use impact_pair_exact::Exact;
 
 const NUMBER_EXPECTED: &str =
     "must be a number, or a string with an expression (\"3*pi\") or an interval (\"[9.42, 9.43]\")";
-
-/// Symbols of other programs, which are suggestions: the symbol, the table and the key that it stands for.
-const SYMBOLS: [(&str, &str, &str); 14] = [
-    ("a", "excitation", "amplitude"),
-    ("w", "excitation", "frequency"),
-    ("omega", "excitation", "frequency"),
-    ("Omega", "excitation", "frequency"),
-    ("D", "pair", "gap"),
-    ("r", "pair", "restitution"),
-    ("epsilon", "pair", "restitution"),
-    ("t", "start", "time"),
-    ("t0", "start", "time"),
-    ("v", "start", "velocity"),
-    ("v0", "start", "velocity"),
-    ("y", "start", "position"),
-    ("y0", "start", "position"),
-    ("side", "start", "wall"),
-];
 
 /// A table of the file, or the whole file.
 pub(super) struct Section<'t> {
@@ -255,22 +237,6 @@ impl<'t> Entry<'t> {
             self.refused_at(at, &format!("does not read as a number: {error}")).because(error)
         })
     }
-}
-
-/// The key `table.key` that a symbol of the paper stands for, where it belongs to another table.
-fn elsewhere(name: &str) -> Option<String> {
-    let (_, table, meant) = LETTERS.iter().chain(&SYMBOLS).find(|(symbol, ..)| *symbol == name)?;
-    Some(format!("{table}.{meant}"))
-}
-
-/// The known key that an unknown name resembles most, if one is similar enough.
-pub(super) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    if let Some((.., meant)) = SYMBOLS.iter().find(|(symbol, _, meant)| *symbol == name && known.contains(meant)) {
-        return Some(meant);
-    }
-    let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), other);
-    let best = known.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (likeness(best) > 0.6).then_some(best)
 }
 
 /// A piece of the file in backticks.
