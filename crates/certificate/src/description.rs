@@ -5,7 +5,9 @@ use serde_json::Value;
 
 use crate::trap::TrapCertificate;
 use crate::{Certificate, CheckResult, Claims, Finding, Of, Verdict, boxed};
-use impact_pair_document::{ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, Place};
+use impact_pair_document::{
+    ClaimName, DESCRIPTION_SCHEMA, DescriptionDocument, FateName, ORBIT_SCHEMA, Place, TRAP_SCHEMA,
+};
 use impact_pair_model::{Error, Period, Word};
 
 /// The claims of a description.
@@ -19,6 +21,7 @@ pub(crate) struct DescriptionCertificate {
 /// Keys of the documents in a description.
 const PROOF: &str = "proof";
 const REGION: &str = "region";
+
 impl DescriptionCertificate {
     /// Reads a description.
     pub(super) fn read(values: &[Value]) -> Result<(Self, Mark), Error> {
@@ -31,11 +34,15 @@ impl DescriptionCertificate {
         }
         let mut parts = Vec::new();
         if let Some(orbit) = &document.proof {
-            let orbit = Certificate::whole(&whole.get(PROOF)?, (**orbit).clone())?;
+            let place = whole.get(PROOF)?;
+            place.require_schema(ORBIT_SCHEMA)?;
+            let orbit = Certificate::whole(&place, (**orbit).clone())?;
             parts.push((PROOF, Claims::part(&values[0][PROOF], boxed(orbit, Of::Orbit))));
         }
         if let Some(region) = &document.region {
-            let region = TrapCertificate::of(region.clone(), &whole.get(REGION)?)?;
+            let place = whole.get(REGION)?;
+            place.require_schema(TRAP_SCHEMA)?;
+            let region = TrapCertificate::of(region.clone(), &place)?;
             parts.push((REGION, Claims::part(&values[0][REGION], boxed(region, Of::Trap))));
         }
         let own = Self { document, parts };

@@ -50,9 +50,15 @@ impl<'j> Place<'j> {
     /// Returns the whole document, which must have this schema.
     pub fn of_schema(value: &'j Value, accepted: &str) -> Result<Self, Error> {
         let whole = Self::whole(value);
-        let schema = whole.get("schema")?;
+        whole.require_schema(accepted)?;
+        Ok(whole)
+    }
+
+    /// Refuses a document of another schema.
+    pub fn require_schema(&self, accepted: &str) -> Result<(), Error> {
+        let schema = self.get("schema")?;
         let is_other = schema.read::<String>()? != accepted;
-        if is_other { Err(schema.refused(&format!("accepted is \"{accepted}\""))) } else { Ok(whole) }
+        if is_other { Err(schema.refused(&format!("accepted is \"{accepted}\""))) } else { Ok(()) }
     }
 
     /// Returns the whole document that is no JSON Lines.
