@@ -32,7 +32,7 @@ impl Orbit {
     ///     run = { impacts = 3 }"#)?;
     /// let orbit = Orbit::of(&scene, scene.settings())?.document();
     /// let claimed = Certificate::parse(&serde_json::to_string(&orbit)?)?;
-    /// assert_eq!((claimed.events().len(), claimed.outcome()), (3, "impacts-reached"));
+    /// assert_eq!((claimed.events().len(), claimed.outcome().to_string().as_str()), (3, "impacts-reached"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn document(&mut self) -> OrbitDocument {
