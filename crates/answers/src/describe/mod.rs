@@ -79,7 +79,7 @@ enum Horseshoe {
 ///
 /// ```
 /// use impact_pair::Scene;
-/// use impact_pair_answers::{Request, describe};
+/// use impact_pair_answers::describe::{Request, describe};
 /// use impact_pair::json::FateName;
 /// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
