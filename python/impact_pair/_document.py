@@ -16,6 +16,11 @@ if TYPE_CHECKING:
     from .verdicts import Check
 
 
+def counted(count: int, what: str, plural: str | None = None) -> str:
+    """Return how many there are: ``1 orbit``, ``2 orbits``."""
+    return f"{count} {what if count == 1 else plural or what + 's'}"
+
+
 class Document:
     """An answer: the document that the command line writes with ``--format json``, and whether it is complete."""
 

@@ -115,7 +115,7 @@ class Scene:
             if has_lines:
                 raise
             # Nobody wrote these lines.
-            raise type(error)(re.sub(r"^line \d+: |, on line \d+", "", str(error)), error.key, error.value) from None
+            raise type(error)(re.sub(r"^line \d+: |, on line \d+,?", "", str(error)), error.key, error.value) from None
 
     @classmethod
     def from_text(cls, source: str) -> Scene:

@@ -57,6 +57,10 @@ NOT_ASKED = {
     "half a point of a sweep": (lambda: SCENE.sweep({"gap": (9, 10, 2.5)}), "gap"),
     "fewer than no points": (lambda: SCENE.sweep({"gap": (9, 10, -2)}), "gap"),
     "no such key": (lambda: SCENE.sweep({"r": (0, 1, 3)}), "did you mean `restitution`"),
+    "two names of one key": (
+        lambda: Scene(A=1, amplitude=2, W="pi", d=9, e="0.5", velocity=-1),
+        "excitation.A and excitation.amplitude are one key: give one of them",
+    ),
     "no number of points": (lambda: SCENE.manifold({"frequency": (1, 2)}), ""),
     "half a point": (lambda: SCENE.manifold({"frequency": (1, 2, 2.5)}), ""),
     "a tuple too long": (lambda: SCENE.bifurcations("RL", 1, {"gap": (1, 2, 3)}), ""),

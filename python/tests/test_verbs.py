@@ -18,6 +18,7 @@ def test_periodic(cli):
     from_cli = cli.json("periodic", "scenes/figure-13.toml", "--word", "RL", "--cycles", 1, "--all")
     assert found.document == from_cli
     assert found.complete is found.exhaustive is True
+    assert repr(found).startswith("P2 P1 in 1 cycle: 2 orbits, ")
     searched = Scene.named("figure-13").periodic("RL", 1)
     options = ("--word", "RL", "--cycles", 1)
     # The step that helps is the keyword here, and the option there.

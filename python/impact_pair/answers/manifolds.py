@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from .._document import Document
+from .._document import Document, counted
 from ..bounds import Bounds, outward
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ class Manifold(Document):
         return self.svg
 
     def __repr__(self) -> str:
-        said = ", ".join(f"N = {curve.cycles}: {len(curve.marks)} points" for curve in self.curves)
+        said = ", ".join(f"N = {curve.cycles}: {counted(len(curve.marks), 'point')}" for curve in self.curves)
         return f"<parameter manifolds over {self.document['over']}: {said}>"
 
 
@@ -140,4 +140,4 @@ class Tangencies(Document):
 
     def __repr__(self) -> str:
         said = "certified" if self.certified else "undecided"
-        return f"<{said}: {len(self)} homoclinic tangencies, others are not excluded>"
+        return f"<{said}: {counted(len(self), 'homoclinic tangency', 'homoclinic tangencies')}, others are not excluded>"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from .._document import Document
+from .._document import Document, counted
 from ..bounds import Bounds, outward, pair
 
 if TYPE_CHECKING:
@@ -137,7 +137,8 @@ class Periodic(Document):
 
     def __repr__(self) -> str:
         rest = "proved to be all without sticking" if self.exhaustive else "others are not excluded"
-        lines = [f"{self.word} in {self.cycles} cycles: {len(self)} orbits, {rest}", *map(repr, self)]
+        cycles, orbits = counted(self.cycles, "cycle"), counted(len(self), "orbit")
+        lines = [f"{self.word} in {cycles}: {orbits}, {rest}", *map(repr, self)]
         return "\n".join(lines)
 
 
@@ -180,7 +181,7 @@ class Cycles(Document):
     def __repr__(self) -> str:
         rest = "proved to be all" if self.exhaustive else "others are not excluded"
         counts = ", ".join(f"{impacts}: {count}" for impacts, count in self.fixed_points.items())
-        return f"<{len(self)} cycles, {rest}; fixed points by impacts: {counts}>"
+        return f"<{counted(len(self), 'cycle')}, {rest}; fixed points by impacts: {counts}>"
 
 
 @dataclass(frozen=True)
@@ -229,7 +230,7 @@ class Bifurcations(Document):
 
     def __repr__(self) -> str:
         over = self.document["over"]
-        lines = [f"over {over['key']} from {over['low']} to {over['high']}: {len(self)} bifurcations"]
+        lines = [f"over {over['key']} from {over['low']} to {over['high']}: {counted(len(self), 'bifurcation')}"]
         return "\n".join(lines + [f"{point.kind:16} {point.parameter}" for point in self.points])
 
 
@@ -285,4 +286,4 @@ class Windows(Document):
 
     def __repr__(self) -> str:
         said = "certified" if self.certified else "undecided"
-        return f"<{said}: {len(self)} windows, others are not excluded>"
+        return f"<{said}: {counted(len(self), 'window')}, others are not excluded>"

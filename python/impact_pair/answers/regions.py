@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from .._document import Document
+from .._document import Document, counted
 from ..bounds import Bounds, outward
 from .orbits import PeriodicOrbit
 
@@ -40,7 +40,7 @@ class Trap(Document):
     def __repr__(self) -> str:
         if not self.certified:
             return str(self.document["message"])
-        return f"<region of {self.boxes} boxes, entered at impact {self.entered_at_impact}>"
+        return f"<region of {counted(self.boxes, 'box', 'boxes')}, entered at impact {self.entered_at_impact}>"
 
 
 @dataclass(frozen=True)
@@ -154,7 +154,7 @@ class Chaos(Document):
         per = self.document["entropy"]
         said = "certified" if self.certified else "undecided"
         bounds = f"{per['per_impact']} per impact, {per['per_cycle']} per forcing period"
-        return f"{said}: topological entropy at least {bounds}; {len(self.words)} words"
+        return f"{said}: topological entropy at least {bounds}; {counted(len(self.words), 'word')}"
 
 
 def percent(said: str, share: float) -> str:
@@ -183,4 +183,4 @@ class ChaosCells(Document):
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{percent(said, part)} {said}" for said, part in self.shares.items())
-        return f"<{self.document['over']['key']} in {len(self.stretches)} stretches: {parts}>"
+        return f"<{self.document['over']['key']} in {counted(len(self.stretches), 'stretch', 'stretches')}: {parts}>"
