@@ -15,7 +15,7 @@ const MAX_LETTERS: usize = 10;
 
 /// A kind of outcome: an attractor, or another one.
 #[derive(Clone, Debug)]
-pub struct Kind {
+pub struct PointKind {
     /// The outcome.
     pub outcome: PointOutcome,
     /// The period of the attractor.
@@ -26,11 +26,12 @@ pub struct Kind {
 
 /// The kinds of outcomes of a sweep, in the order of their first points.
 ///
-/// Attractors of one pair are one where their words are and the bounds of their first impacts overlap: apart, they are proved to be two. Attractors of
-/// several pairs are one where their words are. The records decide alone, so that a sweep has the same kinds whoever computed it.
+/// Two attractors of one pair count as one where they have the same word and the bounds of their first impacts overlap; where these bounds are apart,
+/// the attractors are proved to differ. Attractors of several pairs count as one where they have the same word. Only the records decide, so that a
+/// sweep has the same kinds in the command line and in Python.
 #[derive(Clone, Debug)]
 pub struct Kinds {
-    all: Vec<Kind>,
+    all: Vec<PointKind>,
     by_place: bool,
 }
 
@@ -41,7 +42,7 @@ impl Kinds {
     }
 
     /// The kinds so far.
-    pub fn all(&self) -> &[Kind] {
+    pub fn all(&self) -> &[PointKind] {
         &self.all
     }
 
@@ -56,7 +57,7 @@ impl Kinds {
             };
             (a.impacts, a.cycles, &a.word) == (b.impacts, b.cycles, &b.word) && (near || !self.by_place)
         };
-        let is_one = |kind: &Kind| {
+        let is_one = |kind: &PointKind| {
             let same_period = match (&kind.period, period) {
                 (Some(a), Some(b)) => is_alike(a, b),
                 (None, None) => true,
@@ -65,7 +66,7 @@ impl Kinds {
             kind.outcome == record.outcome && same_period
         };
         let number = self.all.iter().position(is_one).unwrap_or_else(|| {
-            self.all.push(Kind { outcome: record.outcome, period: period.cloned(), points: 0 });
+            self.all.push(PointKind { outcome: record.outcome, period: period.cloned(), points: 0 });
             self.all.len() - 1
         });
         self.all[number].points += 1;
@@ -73,7 +74,7 @@ impl Kinds {
     }
 
     /// The name of a kind in legends.
-    pub fn name(&self, kind: &Kind) -> String {
+    pub fn name(&self, kind: &PointKind) -> String {
         let word = |period: &SweepPeriod| period.word.as_deref().and_then(|word| word.parse::<Word>().ok());
         let Some((period, word)) = kind.period.as_ref().and_then(|period| Some((period, word(period)?))) else {
             return match kind.outcome {
@@ -100,7 +101,7 @@ impl Kinds {
     }
 }
 
-impl Kind {
+impl PointKind {
     /// About the phase and the velocity at which the attractor hits the left wall first, if it does so and that is known.
     pub fn place(&self) -> Option<[f64; 2]> {
         let period = self.period.as_ref()?;

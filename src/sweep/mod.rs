@@ -23,7 +23,7 @@ pub(crate) use document::written;
 pub use document::{exponent, limit};
 pub use document::{grid, head, record};
 pub use grid::{Grid, MOST_POINTS, axis};
-pub use kinds::{Kind as OutcomeKind, Kinds};
+pub use kinds::{Kinds, PointKind};
 pub use lines::{Head, Line};
 pub use point::{MOST_IMPACTS, Point, PointSettings, follow};
 pub use unit::Lasting;

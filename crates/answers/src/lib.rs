@@ -98,7 +98,7 @@ pub trait Verb: clap::Args {
     /// If a value of the scene or of an option is not accepted.
     fn answer<'s>(&self, asked: &Asked<'s>, watch: &dyn Watch) -> Result<Self::Answer<'s>, Failure>;
 
-    /// Formats that these options have no answer in: why, and those that are accepted.
+    /// Why these options have no answer in this format, and which formats they have; `None` if they have one.
     fn refuses(&self, _format: Format) -> Option<&'static str> {
         None
     }

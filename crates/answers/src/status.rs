@@ -18,25 +18,25 @@ enum Piece {
 /// A change of an option that is known to help.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// A switch.
+    /// Switch the option on: `--all`.
     Set(&'static str),
-    /// An option that is only named.
+    /// Use the option, of which the sentence says no value: `--velocity-column`.
     Name(&'static str),
-    /// A value, where none is given.
+    /// Give the option a value, as it has none yet: `a --word`.
     A(&'static str),
-    /// Another value.
+    /// Give the option another value.
     Another(&'static str),
-    /// A greater number.
+    /// Ask for a greater number: `more --effort`.
     More(&'static str),
-    /// A smaller number.
+    /// Ask for a smaller number: `fewer --digits`.
     Fewer(&'static str),
-    /// A greater limit.
+    /// Raise the limit that the option sets: `a larger --longest`.
     Larger(&'static str),
-    /// A smaller limit.
+    /// Lower the limit that the option sets: `a smaller --longest`.
     Smaller(&'static str),
-    /// A part of the range.
+    /// Take a part of the range that the option gives: `a narrower --over`.
     Narrower(&'static str),
-    /// A range that has more values.
+    /// Take a range that contains the one of the option.
     Wider(&'static str),
 }
 

@@ -132,11 +132,10 @@ impl Verb for ChaosOptions {
 
     fn answer<'s>(&self, Asked { scene, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Chaotic<'s>, Failure> {
         let bases = self.bases.as_ref().map(read_bases).transpose()?.unwrap_or_default();
-        let over = match self.range(scene)? {
-            Some(over) if over.count().is_some() => over,
-            over => return self.horseshoe(scene, over, bases, watch),
+        let range = self.range(scene)?;
+        let Some((over, cells)) = range.as_ref().and_then(|over| Some((over.clone(), cells(over)?))) else {
+            return self.horseshoe(scene, range, bases, watch);
         };
-        let cells = cells(&over).unwrap_or_default();
         let single = [(!bases.is_empty(), "bases"), (self.no_orbit, "no-orbit"), (self.hyperbolic, "hyperbolic")];
         if let Some((_, option)) = single.iter().find(|(is_given, _)| *is_given) {
             let key = over.key();

@@ -5,7 +5,7 @@ use impact_pair::json::SweepHead;
 use impact_pair::json::vocabulary::PointOutcome;
 use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
-use impact_pair::sweep::{self, Kinds, OutcomeKind};
+use impact_pair::sweep::{self, Kinds, PointKind};
 use plotters::prelude::*;
 
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
@@ -72,7 +72,7 @@ impl Outcomes {
 }
 
 /// A colour for each kind.
-fn colours(kinds: &[OutcomeKind]) -> Vec<RGBColor> {
+fn colours(kinds: &[PointKind]) -> Vec<RGBColor> {
     let mut attractors: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i].period.is_some()).collect();
     attractors.sort_by_key(|&i| std::cmp::Reverse(kinds[i].points));
     let colour = |i: usize| match (kinds[i].outcome, attractors.iter().position(|&j| j == i)) {
