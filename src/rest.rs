@@ -188,6 +188,20 @@ mod tests {
         }
     }
 
+    /// Lemma Z1 bounds the contact force for the window only: a chatter that may last longer is not proved.
+    #[test]
+    fn chatter_is_proved_within_its_window_only() {
+        for (speed, rebound) in [(1e-4, 0.5), (1e-3, 0.9), (1e-30, 0.0), (1e-2, 0.99)] {
+            let pressure = Interval::new(7.0, 7.001);
+            let long = duration(speed, rebound, pressure, f64::INFINITY).unwrap();
+            // Under a constant contact force it takes 2u/(a (1 - e)).
+            let [least, most] = [7.001, 7.0].map(|a| 2.0 * speed / (a * (1.0 - rebound)));
+            assert!(least <= long * (1.0 + 1e-12) && long < most * 1.02, "{long} {least} {most}");
+            assert_eq!(duration(speed, rebound, pressure, long), Some(long));
+            assert_eq!(duration(speed, rebound, pressure, long.next_down()), None);
+        }
+    }
+
     #[test]
     fn nothing_ends_without_loss() {
         assert!(rests(&pair(0.1, 1.0), Wall::Left, "-1/4", 1e-4).is_none());

@@ -28,12 +28,7 @@ pub(crate) fn pass(
     let rates = &harmonics.rates;
     let state = all.state(&bottom);
     let side = state.side(wall);
-    // Lemma H13: the bottom is not before what is free.
-    let before = bottom.since(&free);
-    if free.since(&bottom) > 0.0 {
-        return None;
-    }
-    let touch = Touch::new(state.room(wall).clone(), &side, rates, before)?;
+    let touch = Touch::new(state.room(wall).clone(), &side, rates, [&free, &bottom])?;
     let mut step = 0.25 * side.bend.0 / rates.third;
     for _ in 0..MOST_STEPS {
         if let Some(passed) = touch.go_on(&all, wall, &bottom, &side, step) {
@@ -54,10 +49,11 @@ struct Touch {
 }
 
 impl Touch {
-    /// Touch of a flight that is convex for `before` forcing periods up to its bottom, which is `room` from the wall.
-    fn new(room: MpBall, side: &Side, rates: &Rates, before: f64) -> Option<Self> {
-        let bend = side.least_bend(rates, before);
-        if !is_positive(bend) {
+    /// Touch of a flight that is proved free up to a time and convex from there to its bottom, which is not before it and `room` from the wall.
+    fn new(room: MpBall, side: &Side, rates: &Rates, [free, bottom]: [&Instant<MpBall>; 2]) -> Option<Self> {
+        let bend = side.least_bend(rates, bottom.since(free));
+        // Lemma H13: `b >= f`, for the bounds of both, and convex between them.
+        if free.since(bottom) > 0.0 || !is_positive(bend) {
             return None;
         }
         let bound = |x: f64| Magnitude::new(x, 0);
@@ -118,5 +114,26 @@ impl Touch {
             distance,
             acceleration,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lemma H13 needs `b >= f` and `a_0 > S_3 (b - f)`: the flight is convex from the free time on to its bottom.
+    #[test]
+    fn a_touch_needs_a_bottom_that_is_not_before_what_is_free() {
+        let rates = Rates { shift: 1.0, second: 40.0, third: 250.0, fourth: 1600.0 };
+        let side = Side { room: (1e-20, 1e-20), rate: (-1e-15, 1e-15), bend: (30.0, 30.0) };
+        let number = |x: f64| MpBall::from_f64_bits(x, 200);
+        let touch = |free: f64, bottom: f64| {
+            let [free, bottom] = [free, bottom].map(|time| Instant::new(time, &number(0.0)));
+            Touch::new(number(1e-20), &side, &rates, [&free, &bottom]).is_some()
+        };
+        assert!(touch(4.0, 4.1) && touch(4.0, 4.0 + 1e-15));
+        // 250 (b - f) is 27.5, and 32.5.
+        assert!(touch(4.0, 4.11) && !touch(4.0, 4.13));
+        assert!(!touch(4.1, 4.0) && !touch(4.0, 4.0 - f64::EPSILON * 4.0) && !touch(5.0, 4.0));
     }
 }

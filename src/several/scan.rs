@@ -10,7 +10,7 @@ use super::phased::{FlightNumber, magnitude};
 use super::reach::Reach;
 use super::view::Side;
 use crate::contact::Undecided;
-use crate::number::{Ball, TINY, UNIT, is_positive, up};
+use crate::number::{Ball, UNIT, is_positive, up};
 use crate::pair::Wall;
 use crate::turns::LONGEST_FLIGHT;
 
@@ -249,9 +249,7 @@ impl<'f, 'h, N: FlightNumber> Scan<'f, 'h, N> {
         if !(is_positive(bend) && at.since(&bottom) < 0.0) {
             return Valley::Unclear;
         }
-        let rate = lowest.rate.0.abs().max(lowest.rate.1.abs()); // B2: the farther end
-        // Lemma B1: the square may underflow.
-        if lowest.room.0 - up(up(rate * rate + TINY) / bend) > 0.0 {
+        if lowest.stays_clear(bend) {
             return Valley::Past(bottom);
         }
         if !is_positive(-lowest.room.1) {

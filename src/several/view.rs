@@ -3,7 +3,7 @@
 use super::flight::Kinematics;
 use super::harmonics::Rates;
 use super::phased::FlightNumber;
-use crate::number::{UNIT, up};
+use crate::number::{TINY, UNIT, up};
 use crate::pair::Wall;
 
 /// Newton steps to the root of a cubic: a guess of three digits is enough, and four steps give it.
@@ -166,6 +166,15 @@ impl Side {
         (self.bend.0 - up(rates.third * time)).next_down()
     }
 
+    /// Whether the wall is not touched as long as the motion keeps bending away from it by at least `bend` forcing periods around here: from
+    /// no state of the side it comes nearer than by `z'^2/(2 z'')` (Lemma H4).
+    #[inline]
+    pub fn stays_clear(&self, bend: f64) -> bool {
+        let rate = self.rate.0.abs().max(self.rate.1.abs()); // B2: the farther end
+        // Lemma B1: the square may underflow.
+        self.room.0 - up(up(rate * rate + TINY) / bend) > 0.0
+    }
+
     /// About when the wall is reached if the bend stays as it is.
     #[inline]
     pub fn arrival(&self) -> Option<f64> {
@@ -186,10 +195,29 @@ impl Side {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use num_rational::BigRational;
     use proptest::prelude::*;
 
+    use super::*;
+
     proptest! {
+        /// Lemma H4, in exact fractions: the lowest place of a parabola, from the end of the bounds that is nearest to the wall.
+        #[test]
+        fn a_side_that_stays_clear_has_room_at_its_lowest_place(
+            rate in prop_oneof![Just(0.0), (-160.0..1.0f64).prop_map(|x| 10f64.powf(x))], bend in (-2.0..2.0f64).prop_map(|x| 10f64.powf(x)),
+            part in prop_oneof![Just(0.5), 0.4..2.5f64], width in prop_oneof![Just(0.0), 0.0..3.0f64], is_left: bool,
+        ) {
+            let least = part * rate * rate / bend;
+            let rate = if is_left { (-rate, 0.5 * rate) } else { (-0.5 * rate, rate) };
+            let side = Side { room: (least, least * (1.0 + width)), rate, bend: (bend, bend) };
+            let exact = |x: f64| BigRational::from_float(x).unwrap();
+            let fall = |rate: f64| exact(rate) * exact(rate) / (exact(bend) * exact(2.0));
+            let [low, high] = [rate.0, rate.1].map(|rate| exact(least) - fall(rate));
+            prop_assert!(!side.stays_clear(bend) || low > exact(0.0) && high > exact(0.0), "{side:?}");
+            // And where there is twice the room that it takes, it is proved.
+            prop_assert!(side.stays_clear(bend) || part < 1.01 || least < 1e-290, "{side:?}");
+        }
+
         /// Lemma H2, at many points of many cubics, biased to those that come near 0 in between.
         #[test]
         fn a_proved_positive_value_is_positive(

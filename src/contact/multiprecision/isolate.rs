@@ -43,10 +43,8 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     }
     let found = solve(flight, &piece, turns)?;
     if let Some(end) = &piece.end {
-        // Between the extremum before last of its kind and the last; the sign of z' says on which piece (Lemma C4).
         let time = MpBall::new(found.at.clone(), found.reach) + MpBall::from_f64(turns) - flight.phase.clone();
-        let is_later = (time.clone() - (end.clone() - MpBall::from_f64(1.0))).sign() == Some(Ordering::Greater);
-        if !(is_later && time.clone().minus(end).sign() == Some(Ordering::Less)) {
+        if !is_on_last_piece(&time, end) {
             return Err(graze(flight, Some(piece.target)));
         }
     } else if !is_monotone {
@@ -56,6 +54,13 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
         }
     }
     Ok(found)
+}
+
+/// Whether all of these times lie between the extremum before last of its kind and the last, `end`; the sign of z' says on which of the
+/// two pieces (Lemma C4).
+fn is_on_last_piece(time: &MpBall, end: &MpBall) -> bool {
+    let is_later = (time.clone() - (end.clone() - MpBall::from_f64(1.0))).sign() == Some(Ordering::Greater);
+    is_later && time.clone().minus(end).sign() == Some(Ordering::Less)
 }
 
 /// Lemma C8: the drift is so near to `beta` that extrema may or may not exist; between them no flight moves away from the target
@@ -333,4 +338,27 @@ fn endless(flight: &Flight<MpBall>) -> Undecided {
     // Either it is known not to be 0, and then the flight is too long in any precision, or exactly 0.
     let lasting = flight.drift.sign().is_some();
     Undecided { lasting, ..Undecided::endless() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lemma C4 needs all flights of a set between the two extrema, at a distance that may be far below the radii of doubles.
+    #[test]
+    fn a_contact_is_refused_on_the_pieces_beside_its_own() {
+        let end = MpBall::from_f64_bits(7.25, 300);
+        let tiny = Float::new(1.0).scaled(-200);
+        let [before, after] = [7.25, 6.25].map(|end| {
+            let end = Float::new(end);
+            [end.minus(&tiny, 300), end.plus(&tiny, 300)]
+        });
+        let is_on =
+            |time: &Float, radius: i64| is_on_last_piece(&MpBall::new(time.clone(), Magnitude::new(1.0, radius)), &end);
+        // Short of the last extremum and past the one before, to less than the distance; not beyond either of them.
+        assert!(is_on(&before[0], -201) && is_on(&after[1], -201));
+        assert!(!is_on(&before[1], -201) && !is_on(&after[0], -201));
+        assert!(!is_on(&before[0], -199) && !is_on(&after[1], -199));
+        assert!(!is_on(&Float::new(8.0), -201) && !is_on(&Float::new(5.5), -201));
+    }
 }
