@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use impact_pair::orbit::Orbit;
-use impact_pair_answers::{Format, Listing, RunOptions};
+use impact_pair_answers::{Format, Listing, RunOptions, Verb};
 
 use crate::Answer;
 use crate::destination::{Destination, Files, OpenOutput};

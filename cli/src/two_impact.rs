@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use clap::Args;
+use impact_pair_answers::Picture;
 use impact_pair_answers::values::window as range;
-use impact_pair_answers::{TwoImpact, TwoImpactOptions};
 use impact_pair_plot::picture::Look;
-use impact_pair_plot::two_impact::{Window, magnified};
+use impact_pair_plot::two_impact::{self, Window};
 
 use crate::destination::Destination;
 use crate::verb::Outputs;
@@ -60,7 +60,7 @@ pub struct ManifoldDrawing {
     destination: Destination,
 }
 
-impl Outputs<TwoImpactOptions> for ManifoldDrawing {
+impl Outputs for ManifoldDrawing {
     fn destination(&self) -> &Destination {
         &self.destination
     }
@@ -69,7 +69,10 @@ impl Outputs<TwoImpactOptions> for ManifoldDrawing {
         self.plot.as_deref().map(|path| (path, &self.look))
     }
 
-    fn svg(&self, answer: &TwoImpact<'_>) -> Option<Result<String>> {
-        magnified(answer, self.inset, &self.look)
+    fn svg(&self, picture: Picture<'_>) -> Result<String> {
+        match picture {
+            Picture::Manifolds(scene, axis, curves) => two_impact::svg(scene, axis, curves, self.inset, &self.look),
+            other => impact_pair_plot::svg(other, &self.look),
+        }
     }
 }

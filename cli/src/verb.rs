@@ -7,8 +7,7 @@ use anyhow::{Error, Result, anyhow, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Args, ValueEnum};
 use impact_pair::Scene;
-use impact_pair_answers::{Answer, Asked, Failure, Format, Verb};
-use impact_pair_plot::Pictured;
+use impact_pair_answers::{Answer, Asked, Failure, Format, Picture, Verb};
 use impact_pair_plot::picture::Look;
 
 use crate::destination::{Destination, Drawing};
@@ -19,7 +18,7 @@ use crate::{Answer as Exit, ending, scene};
 /// Arguments of a verb.
 #[derive(Args, Debug)]
 #[command(mut_args(drawn::<V>))]
-pub struct Arguments<V: Verb, O: Outputs<V>> {
+pub struct Arguments<V: Verb, O: Outputs> {
     /// Scene file (TOML), or - for stdin
     scene: PathBuf,
     #[command(flatten)]
@@ -49,18 +48,18 @@ pub fn formats(all: &'static [(Format, &'static str)]) -> impl TypedValueParser<
 }
 
 /// The outputs of a verb.
-pub trait Outputs<V: Verb>: Args {
+pub trait Outputs: Args {
     /// Where the document goes.
     fn destination(&self) -> &Destination;
 
     /// Where the picture goes, and how it looks.
     fn plot(&self) -> Option<(&Path, &Look)>;
 
-    /// The picture of an answer.
-    fn svg(&self, answer: &V::Answer<'_>) -> Option<Result<String>>;
+    /// Draws the picture as SVG.
+    fn svg(&self, picture: Picture<'_>) -> Result<String>;
 }
 
-impl<V: Verb> Outputs<V> for Destination {
+impl Outputs for Destination {
     fn destination(&self) -> &Destination {
         self
     }
@@ -69,15 +68,12 @@ impl<V: Verb> Outputs<V> for Destination {
         None
     }
 
-    fn svg(&self, _: &V::Answer<'_>) -> Option<Result<String>> {
-        None
+    fn svg(&self, picture: Picture<'_>) -> Result<String> {
+        impact_pair_plot::svg(picture, &Look::default())
     }
 }
 
-impl<V: Verb> Outputs<V> for Drawing
-where
-    for<'s> V::Answer<'s>: Pictured,
-{
+impl Outputs for Drawing {
     fn destination(&self) -> &Destination {
         &self.destination
     }
@@ -86,13 +82,13 @@ where
         self.plot.as_deref().map(|path| (path, &self.look))
     }
 
-    fn svg(&self, answer: &V::Answer<'_>) -> Option<Result<String>> {
-        answer.svg(&self.look)
+    fn svg(&self, picture: Picture<'_>) -> Result<String> {
+        impact_pair_plot::svg(picture, &self.look)
     }
 }
 
 /// Answers a verb.
-pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit> {
+pub fn answer<V: Verb, O: Outputs>(arguments: Arguments<V, O>) -> Result<Exit> {
     let Arguments { scene: path, mut options, format, outputs } = arguments;
     let destination = outputs.destination();
     let accepted: Vec<Format> =
@@ -123,7 +119,7 @@ pub fn answer<V: Verb, O: Outputs<V>>(arguments: Arguments<V, O>) -> Result<Exit
         return Ok(Exit::Incomplete);
     };
     let is_said = format.is_for_people() && open.as_ref().is_some_and(|open| text.contains(open));
-    files.draw((&text, open, is_said), || outputs.svg(&found))
+    files.draw((&text, open, is_said), || found.picture().map(|picture| outputs.svg(picture)))
 }
 
 /// The error of a scene that stands in the place of another input.

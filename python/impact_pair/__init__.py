@@ -25,6 +25,7 @@ from .boxes import BoxImages
 from .errors import CertificateError, Error, Interrupted, ListError, MissingPackageError, RangeError, SceneError, Stopped, WordError
 from .orbit import Event, Flights, Graze, Impact, Orbit, Outcome, Release, Rest, States
 from .orbit import read as read_orbit
+from .questions import ask
 from .scene import MAX_BITS, Scene
 from .sweep import SweepResult
 from .verdicts import Check, Claim, Theorem, check, prove
@@ -58,6 +59,7 @@ __all__ = [
     "Verified",
     "WordError",
     "__version__",
+    "ask",
     "check",
     "prove",
     "read_orbit",

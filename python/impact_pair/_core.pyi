@@ -23,6 +23,7 @@ __all__ = [
     "paper",
     "plot",
     "prove",
+    "question",
     "read_orbit",
     "run",
 ]
@@ -105,6 +106,7 @@ def plot(scene: Scene, panels: str, cycles: tuple[int, int], options: str, progr
 def answer(
     scene: Scene, name: str, question: tuple[str, str], picture: bool, progress: _Progress
 ) -> tuple[str | None, bool, bool, str | None, str]: ...
+def question(text: str) -> tuple[str, str, str]: ...
 def description_lines(document: str) -> list[tuple[str, str]]: ...
 def check(
     text: str,

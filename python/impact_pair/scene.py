@@ -172,9 +172,8 @@ class Scene:
         The defaults of ``run`` are kept.
         """
         found = json.loads(self._core.varied([(key, text(key, value)) for key, value in values.items()]))
-        tables = {"excitation": found["excitation"], "pair": {"gap": found["gap"], "restitution": found["restitution"]}}
         run = dict(zip(TABLES["run"], self._core.run(), strict=True))
-        return Scene.from_dict({"title": self.title, **tables, "start": found["start"], "run": run})
+        return Scene.from_dict({"title": self.title, **tables_of(found), "run": run})
 
     def _answer(
         self, kind: type[Answer], verb: str, counted: tuple[str, int | None], how: tuple[bool, Progress, bool], **options: Any
@@ -183,8 +182,13 @@ class Scene:
 
         Options are those of the command line, which says what is accepted; None is their default.
         """
+        return self._ask(kind, (verb, question_of(options)), counted, how)
+
+    def _ask(
+        self, kind: type[Answer], question: tuple[str, str], counted: tuple[str, int | None], how: tuple[bool, Progress, bool]
+    ) -> Answer:
+        """Return the answer to a verb with options as JSON."""
         picture, progress, keep_partial = how
-        question = (verb, question_of(options))
         with reporting(progress, *counted) as report:
             return kept(kind(*_core.answer(self._core, self._path, question, picture, report)), keep_partial)
 
@@ -240,7 +244,11 @@ class Scene:
         """
         impacts = optional_whole("impacts", impacts, IMPACTS)
         options = {"impacts": impacts, "until": until, "digits": digits, "arithmetic": arithmetic, "splice": splice}
-        requested = question_of(options | {"max_bits": max_bits})
+        return self._run(question_of(options | {"max_bits": max_bits}), impacts, (progress, keep_partial))
+
+    def _run(self, requested: str, impacts: int | None, how: tuple[Progress, bool]) -> Orbit:
+        """Return the orbit with options as JSON, as many impacts as progress counts up to."""
+        progress, keep_partial = how
         with reporting(progress, "impacts", impacts) as report:
             return kept(Orbit(_core.run(self._core, requested, report), (self._text, requested)), keep_partial)
 
@@ -703,6 +711,12 @@ class Scene:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene.from_text, (self._text,)
+
+
+def tables_of(document: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the tables of the scene of a document."""
+    pair = {"gap": document["gap"], "restitution": document["restitution"]}
+    return {"excitation": document["excitation"], "pair": pair, "start": document["start"]}
 
 
 def both_ends(key: str, counts: int | tuple[int, int]) -> str:

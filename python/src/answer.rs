@@ -1,62 +1,19 @@
 //! Verbs that answer with one document: a question in JSON in, the document and what is left undecided out.
 
+use impact_pair::json::SceneDocument;
 use impact_pair::watch::{Stage, Watch};
-use impact_pair_answers::{
-    Answer, Asked, AuditOptions, BifurcationOptions, ChaosOptions, CyclesOptions, DescribeOptions, Format,
-    GlobalOptions, PeriodicOptions, TangencyOptions, TradeOptions, TrapOptions, TwoImpactOptions, Verb, WindowsOptions,
-    read_options,
-};
-use impact_pair_plot::Pictured;
+use impact_pair_answers::{Format, Options, Question};
 use impact_pair_plot::picture::Look;
+use impact_pair_plot::svg;
 use pyo3::prelude::*;
-use serde_json::{Map, Value};
 
 use crate::errors::Fault;
-use crate::scene::Scene;
+use crate::scene::{Scene, json};
 use crate::watched::watched;
 
-/// The document, whether everything requested is certified, the picture if requested, and what is left undecided, in words.
-type Found = (Option<String>, bool, Option<String>, String);
-/// The same with whether Ctrl-C ended the computation, before the picture.
+/// The document, whether everything requested is certified, whether Ctrl-C ended the computation, the picture if requested, and what is left
+/// undecided, in words.
 type Answered = (Option<String>, bool, bool, Option<String>, String);
-/// Answers one verb with these options, and with a picture if requested.
-type Ask = fn(&Asked<'_>, &Map<String, Value>, &dyn Watch) -> Result<Found, Fault>;
-
-/// The verbs.
-const VERBS: [(&str, Ask); 12] = [
-    (PeriodicOptions::NAME, ask::<PeriodicOptions>),
-    (BifurcationOptions::NAME, ask::<BifurcationOptions>),
-    (TwoImpactOptions::NAME, ask::<TwoImpactOptions>),
-    (DescribeOptions::NAME, ask::<DescribeOptions>),
-    (TradeOptions::NAME, ask::<TradeOptions>),
-    (AuditOptions::NAME, ask::<AuditOptions>),
-    (TrapOptions::NAME, ask::<TrapOptions>),
-    (ChaosOptions::NAME, ask::<ChaosOptions>),
-    (CyclesOptions::NAME, cycles),
-    (WindowsOptions::NAME, ask::<WindowsOptions>),
-    (GlobalOptions::NAME, ask::<GlobalOptions>),
-    (TangencyOptions::NAME, ask::<TangencyOptions>),
-];
-
-fn ask<V: Verb>(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault>
-where
-    for<'s> V::Answer<'s>: Pictured,
-{
-    let found = read_options::<V>(V::NAME, options)?.answer(asked, watch)?;
-    let document = found.text(Format::Json).map_err(Fault::of)?;
-    let svg = if asked.is_drawn { found.svg(&Look::default()).transpose().map_err(Fault::other)? } else { None };
-    let status = found.status();
-    Ok((document, status.is_complete(), svg, status.in_python()))
-}
-
-/// Answers `cycles`, whose progress counts impacts: not the boxes of the region.
-fn cycles(asked: &Asked<'_>, options: &Map<String, Value>, watch: &dyn Watch) -> Result<Found, Fault> {
-    let counted = |at: Stage<'_>| match at {
-        Stage::Region(_) => watch.proceed(Stage::Working),
-        at => watch.proceed(at),
-    };
-    ask::<CyclesOptions>(asked, options, &counted)
-}
 
 /// Answers a verb with options as JSON; commands name the scene by a path.
 #[pyfunction]
@@ -69,13 +26,33 @@ pub fn answer(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Answered> {
     let (verb, options) = question;
-    let options: Map<String, Value> = serde_json::from_str(&options).map_err(Fault::other)?;
-    let known = VERBS.iter().find(|(name, _)| *name == verb);
-    let (_, ask) = known.ok_or_else(|| Fault::other(format!("{verb} is no verb")))?;
     let scene = scene.get().scene.clone();
+    let question = Question { name, is_drawn: picture, ..Question::new(verb, scene, options_of(&options)?) };
+    // The progress of `cycles` is impacts, not the boxes of its region.
+    let skips_region = question.verb == "cycles";
     watched(py, progress, move |monitor| {
-        let asked = Asked { scene: &scene, name: &name, is_drawn: picture };
-        let (document, is_complete, svg, status) = ask(&asked, &options, monitor)?;
-        Ok((document, is_complete, !is_complete && monitor.is_stopped(), svg, status))
+        let counted = |at: Stage<'_>| match at {
+            Stage::Region(_) if skips_region => monitor.proceed(Stage::Working),
+            at => monitor.proceed(at),
+        };
+        let found = question.answer(&counted)?;
+        let document = found.text(Format::Json).map_err(Fault::of)?;
+        let status = found.status();
+        let picture = if picture { found.picture() } else { None };
+        let svg = picture.map(|picture| svg(picture, &Look::default())).transpose().map_err(Fault::other)?;
+        let interrupted = !status.is_complete() && monitor.is_stopped();
+        Ok((document, status.is_complete(), interrupted, svg, status.in_python()))
     })
+}
+
+/// The verb of a question in JSON, the document of its scene, and its options, both as JSON.
+#[pyfunction]
+pub fn question(text: &str) -> PyResult<(String, String, String)> {
+    let Question { verb, scene, options, .. } = Question::read(text).map_err(Fault::from)?;
+    Ok((verb, json(&SceneDocument::new(scene.pair(), scene.start()))?, json(&options)?))
+}
+
+/// Options as JSON.
+pub fn options_of(text: &str) -> Result<Options, Fault> {
+    serde_json::from_str(text).map_err(Fault::other)
 }

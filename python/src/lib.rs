@@ -24,7 +24,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::answer::answer;
+    use super::answer::{answer, question};
     #[pymodule_export]
     use super::atlas::Atlas;
     #[pymodule_export]

@@ -10,10 +10,11 @@ use impact_pair::json::{
 use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind};
 use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
-use impact_pair_answers::{CSV_HEADER, RunOptions, csv_row, read_options};
+use impact_pair_answers::{CSV_HEADER, RunOptions, Verb, csv_row, read_options};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::answer::options_of;
 use crate::errors::Fault;
 use crate::flights::{number, side};
 use crate::numbers::{bytes, read};
@@ -192,8 +193,7 @@ impl Orbit {
 
 /// The options of an orbit, as JSON.
 pub fn read_run(options: &str) -> Result<RunOptions, Fault> {
-    let options = serde_json::from_str(options).map_err(Fault::other)?;
-    Ok(read_options("run", &options)?)
+    Ok(read_options(RunOptions::NAME, &options_of(options)?)?)
 }
 
 /// Follows the orbit of a scene.

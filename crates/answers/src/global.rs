@@ -12,7 +12,7 @@ use impact_pair::{Effort, Scene};
 
 use crate::graph::{Graph, Value};
 use crate::values::{digits, whole};
-use crate::{Answer, Asked, Failure, Format, Status, Verb, line, pair_heading};
+use crate::{Answer, Asked, Failure, Format, Picture, Status, Verb, line, pair_heading};
 
 /// Options of `global`.
 #[derive(Args, Clone, Debug)]
@@ -35,12 +35,9 @@ pub struct GlobalOptions {
 
 /// Where every motion goes, and the document.
 pub struct Analysis<'s> {
-    /// Scene whose pair is analysed.
-    pub scene: &'s Scene,
-    /// What is proved.
-    pub found: Global,
-    /// The document.
-    pub document: GlobalDocument,
+    scene: &'s Scene,
+    found: Global,
+    document: GlobalDocument,
 }
 
 impl Verb for GlobalOptions {
@@ -91,6 +88,10 @@ impl Answer for Analysis<'_> {
             Format::Graphml | Format::Dot => graph(self.scene, &self.found).text(format)?,
             _ => table(self.scene, &self.found, &self.document, &self.status())?,
         }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Global(self.scene, &self.found, &self.document))
     }
 }
 

@@ -4,7 +4,7 @@
 //!
 //! ```
 //! use impact_pair::watch::Unwatched;
-//! use impact_pair_answers::{Answer, Asked, Format, PeriodicOptions, Question, Verb};
+//! use impact_pair_answers::{Format, Question};
 //!
 //! let question = Question::read(r#"{
 //!     "verb": "periodic",
@@ -12,8 +12,7 @@
 //!               "restitution": "0.5", "start": {"time": "0", "wall": "left", "velocity": "-12.56636"}},
 //!     "options": {"word": "RL", "cycles": 1}
 //! }"#)?;
-//! let options: PeriodicOptions = question.options()?;
-//! let found = options.answer(&Asked::of(&question.scene), &Unwatched)?;
+//! let found = question.answer(&Unwatched)?;
 //! assert!(found.status().is_complete());
 //! assert!(found.status().to_string().ends_with("others are not excluded (try --all)"));
 //! assert!(found.status().in_python().ends_with("others are not excluded (try all=True)"));
@@ -32,7 +31,9 @@ mod graph;
 pub mod grid;
 mod heading;
 mod input;
+mod options;
 mod periodic;
+mod picture;
 mod question;
 mod run;
 #[cfg(test)]
@@ -50,24 +51,28 @@ use clap::ValueEnum;
 use impact_pair::Scene;
 use impact_pair::watch::Watch;
 
-pub use audit::{AuditOptions, Audited};
-pub use bifurcations::{BifurcationOptions, Bifurcations};
-pub use chaos::{ChaosOptions, Chaotic};
-pub use cycles::{AllCycles, CyclesOptions};
-pub use describe::{DescribeOptions, Described};
+pub use audit::AuditOptions;
+pub use bifurcations::BifurcationOptions;
+pub use chaos::ChaosOptions;
+pub use cycles::CyclesOptions;
+pub use describe::DescribeOptions;
 pub use failure::Failure;
-pub use global::{Analysis, GlobalOptions};
-pub use heading::{heading, pair_heading};
+pub use global::GlobalOptions;
 pub use input::Input;
-pub use periodic::{Periodic, PeriodicOptions, physical, symmetric};
-pub use question::{Question, read_options};
+pub use options::{Options, read_options};
+pub use periodic::PeriodicOptions;
+pub use picture::Picture;
+pub use question::Question;
 pub use run::{CSV_HEADER, Listing, RunOptions, csv_row};
 pub use status::{Status, Step};
-pub use tangency::{HomoclinicTangencies, TangencyOptions};
+pub use tangency::TangencyOptions;
 pub use trade::TradeOptions;
-pub use trap::{TrapOptions, Trapped};
-pub use two_impact::{TwoImpact, TwoImpactOptions};
-pub use windows::{StableWindows, WindowsOptions};
+pub use trap::TrapOptions;
+pub use two_impact::TwoImpactOptions;
+pub use windows::WindowsOptions;
+
+use heading::{heading, pair_heading};
+use periodic::{physical, symmetric};
 
 /// Options of a verb, which are its arguments on the command line and the keys of `options` in a [`Question`].
 pub trait Verb: clap::Args {
@@ -80,7 +85,7 @@ pub trait Verb: clap::Args {
     /// Help of the option that draws a picture.
     const PICTURE: &'static str = "";
     /// The answer.
-    type Answer<'s>: Answer;
+    type Answer<'s>: Answer + 's;
 
     /// What the progress of the computation counts.
     fn counts(&self, _scene: &Scene) -> Counts {
@@ -115,13 +120,6 @@ pub struct Asked<'s> {
     pub is_drawn: bool,
 }
 
-impl<'s> Asked<'s> {
-    /// A scene that stands in no file, without a picture.
-    pub fn of(scene: &'s Scene) -> Self {
-        Self { scene, name: "scene.toml", is_drawn: false }
-    }
-}
-
 /// The answer of a verb.
 pub trait Answer {
     /// How much of what was requested is certified.
@@ -136,6 +134,11 @@ pub trait Answer {
     /// Remarks that no format holds.
     fn notes(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    /// The picture; `None` where there is nothing to draw.
+    fn picture(&self) -> Option<Picture<'_>> {
+        None
     }
 }
 

@@ -1,15 +1,16 @@
 //! Questions in JSON: a verb, a scene as in documents, and options as on the command line.
 
-use std::error::Error as _;
-
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, ArgAction, Args, Command};
-use impact_pair::json::SceneDocument;
-use impact_pair::{Error, Scene};
+use impact_pair::json::{Place, SceneDocument, value};
+use impact_pair::watch::Watch;
+use impact_pair::{Error, ErrorKind, Scene};
 use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde_json::value::RawValue;
 
-use crate::{Failure, Verb};
+use crate::{
+    Answer, Asked, AuditOptions, BifurcationOptions, ChaosOptions, CyclesOptions, DescribeOptions, Failure,
+    GlobalOptions, Options, PeriodicOptions, RunOptions, TangencyOptions, TradeOptions, TrapOptions, TwoImpactOptions,
+    Verb, WindowsOptions, read_options,
+};
 
 /// A question: what a verb is asked about a scene.
 #[derive(Clone, Debug)]
@@ -18,7 +19,12 @@ pub struct Question {
     pub verb: String,
     /// The scene.
     pub scene: Scene,
-    options: Map<String, Value>,
+    /// Path of the scene, by which commands name it.
+    pub name: String,
+    /// True if a picture is requested as well.
+    pub is_drawn: bool,
+    /// The options, those that are not given by default.
+    pub options: Options,
 }
 
 /// A question as it is written.
@@ -26,153 +32,131 @@ pub struct Question {
 #[serde(deny_unknown_fields)]
 struct QuestionDocument {
     verb: String,
-    scene: SceneDocument,
+    scene: Box<RawValue>,
     #[serde(default)]
-    options: Map<String, Value>,
+    options: Options,
+}
+
+/// Answers a question with the options of one verb.
+type Ask = for<'q> fn(&'q Question, &dyn Watch) -> Result<Box<dyn Answer + 'q>, Failure>;
+
+/// The verbs that answer a question about a scene, by name.
+const VERBS: [(&str, Ask); 13] = [
+    verb::<RunOptions>(),
+    verb::<DescribeOptions>(),
+    verb::<PeriodicOptions>(),
+    verb::<BifurcationOptions>(),
+    verb::<TrapOptions>(),
+    verb::<ChaosOptions>(),
+    verb::<CyclesOptions>(),
+    verb::<WindowsOptions>(),
+    verb::<GlobalOptions>(),
+    verb::<TangencyOptions>(),
+    verb::<TradeOptions>(),
+    verb::<TwoImpactOptions>(),
+    verb::<AuditOptions>(),
+];
+
+/// The row of a verb in [`VERBS`].
+const fn verb<V: Verb>() -> (&'static str, Ask) {
+    (V::NAME, ask::<V>)
+}
+
+fn ask<'q, V: Verb>(question: &'q Question, watch: &dyn Watch) -> Result<Box<dyn Answer + 'q>, Failure> {
+    let options: V = read_options(V::NAME, &question.options)?;
+    let asked = Asked { scene: &question.scene, name: &question.name, is_drawn: question.is_drawn };
+    Ok(Box::new(options.answer(&asked, watch)?))
 }
 
 impl Question {
+    /// Question about a scene that stands in no file, without a picture.
+    pub fn new(verb: impl Into<String>, scene: Scene, options: Options) -> Self {
+        Self { verb: verb.into(), scene, name: "scene.toml".to_owned(), is_drawn: false, options }
+    }
+
     /// Reads `{"verb": .., "scene": {..}, "options": {..}}`.
     ///
     /// # Errors
     /// If it is malformed, or a value of the scene is not accepted.
     pub fn read(text: &str) -> Result<Self, Failure> {
         let QuestionDocument { verb, scene, options } = serde_json::from_str(text).map_err(Failure::malformed)?;
-        let (pair, start) = scene.model()?;
-        Ok(Self { verb, scene: Scene::new(pair, start), options })
+        let (pair, start) = read_scene(scene.get()).and_then(SceneDocument::model).map_err(as_scene)?;
+        Ok(Self::new(verb, Scene::new(pair, start), options))
     }
 
-    /// The options, those that are not given by default.
+    /// Answers the question, until the watch stops it; what is certified so far is kept.
     ///
     /// # Errors
-    /// If one of them is unknown, missing or not accepted.
-    pub fn options<V: Verb>(&self) -> Result<V, Failure> {
-        read_options(V::NAME, &self.options)
+    /// If there is no such verb, an option is unknown, missing or not accepted, or a value of the scene is not accepted.
+    pub fn answer(&self, watch: &dyn Watch) -> Result<Box<dyn Answer + '_>, Failure> {
+        let Some((_, ask)) = VERBS.iter().find(|(name, _)| *name == self.verb) else {
+            let names = VERBS.map(|(name, _)| name).join(", ");
+            let (option, value) = ("verb".to_owned(), self.verb.clone());
+            return Err(Failure::Value { option, value, accepted: format!("accepted are {names}") });
+        };
+        ask(self, watch)
     }
 }
 
-/// Reads options by the arguments of the command line: both have one syntax, one range of values and one refusal.
-///
-/// # Errors
-/// If an option is unknown, missing or not accepted.
-pub fn read_options<O: Args>(verb: &'static str, options: &Map<String, Value>) -> Result<O, Failure> {
-    let bare = Command::new(verb).no_binary_name(true).disable_help_flag(true).disable_version_flag(true);
-    let command = O::augment_args(bare);
-    let mut words = Vec::new();
-    let mut positional = Vec::new();
-    for (name, value) in options {
-        let known = command.get_arguments().find(|argument| name_of(argument) == *name);
-        let argument = known.ok_or_else(|| unknown(&command, name))?;
-        let is_switch = matches!(argument.get_action(), ArgAction::SetTrue);
-        match value {
-            Value::Null | Value::Bool(false) if is_switch || value.is_null() => {}
-            Value::Bool(true) if is_switch => words.push(format!("--{name}")),
-            _ if is_switch || value.is_boolean() => {
-                let accepted = if is_switch { "accepted is true or false" } else { "accepted is a number or a text" };
-                return Err(refused(name, &value.to_string(), accepted));
-            }
-            _ if argument.is_positional() => positional.push(text(value)),
-            _ => words.push(format!("--{name}={}", text(value))),
-        }
-    }
-    if !positional.is_empty() {
-        words.push("--".to_owned());
-    }
-    let matches = command.try_get_matches_from(words.into_iter().chain(positional)).map_err(|error| failure(&error))?;
-    O::from_arg_matches(&matches).map_err(|error| failure(&error))
+/// Reads the scene of a question; errors name the path of the fault, such as `scene.gap`.
+fn read_scene(text: &str) -> Result<SceneDocument, Error> {
+    Place::at("scene".to_owned(), &value(text)?).read()
 }
 
-/// The name of an argument in JSON: that of its option, or of the place of a positional one.
-fn name_of(argument: &Arg) -> String {
-    argument.get_long().map_or_else(|| argument.get_id().to_string(), str::to_owned)
-}
-
-/// The value as it would be typed; a list or an object as its own JSON.
-fn text(value: &Value) -> String {
-    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
-}
-
-fn refused(option: &str, value: &str, accepted: &str) -> Failure {
-    Failure::Value { option: option.to_owned(), value: value.to_owned(), accepted: accepted.to_owned() }
-}
-
-fn unknown(command: &Command, name: &str) -> Failure {
-    let names: Vec<String> = command.get_arguments().map(name_of).collect();
-    let verb = command.get_name();
-    Failure::Question(format!("{name} is not an option of {verb}: accepted are {}", names.join(", ")))
-}
-
-/// The refusal of the parser of the command line, in terms of options and values.
-fn failure(error: &clap::Error) -> Failure {
-    let named = |kind| match error.get(kind) {
-        Some(ContextValue::String(one)) => one.clone(),
-        Some(ContextValue::Strings(all)) => all.join(", "),
-        _ => String::new(),
-    };
-    // `--words <N>`
-    let argument = named(ContextKind::InvalidArg);
-    let option = argument.trim_start_matches("--").split([' ', '=']).next().unwrap_or_default().to_owned();
-    let value = named(ContextKind::InvalidValue);
-    match error.kind() {
-        ErrorKind::MissingRequiredArgument => Failure::Question(format!("{option} is missing")),
-        ErrorKind::ArgumentConflict => {
-            let other = named(ContextKind::PriorArg);
-            let other = other.trim_start_matches("--").split(' ').next().unwrap_or_default().to_owned();
-            Failure::Question(format!("{option} and {other} exclude one another"))
-        }
-        ErrorKind::InvalidValue => refused(&option, &value, &format!("accepted is {}", named(ContextKind::ValidValue))),
-        _ => match error.source() {
-            Some(source) => match source.downcast_ref::<Error>() {
-                Some(error) => Failure::Option { option, value, error: Box::new(error.clone()) },
-                None => refused(&option, &value, &source.to_string()),
-            },
-            None => Failure::Question(error.to_string()),
-        },
-    }
+/// The error of a document as that of a scene: a question is none.
+fn as_scene(error: Error) -> Error {
+    if error.kind() == ErrorKind::Certificate { Error::scene(error.to_string()).because(error) } else { error }
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::{Value, json};
+    use impact_pair::watch::Unwatched;
 
-    use super::read_options;
-    use crate::{BifurcationOptions, Failure, PeriodicOptions, TwoImpactOptions, Verb};
+    use super::{Question, VERBS};
+    use crate::{Failure, Format};
 
-    fn options<V: Verb>(options: &Value) -> Result<V, Failure> {
-        read_options(V::NAME, options.as_object().unwrap())
+    const SCENE: &str = r#"{"excitation": {"amplitude": ["1"], "frequency": ["pi"], "phase": ["0"]}, "gap": "9.42497",
+        "restitution": "0.5", "start": {"time": "0", "wall": "left", "velocity": "-12.56636"}}"#;
+
+    fn question(verb: &str, options: &str) -> Question {
+        Question::read(&format!(r#"{{"verb": "{verb}", "scene": {SCENE}, "options": {options}}}"#)).unwrap()
     }
 
-    fn refusal<V: Verb + std::fmt::Debug>(given: Value) -> String {
-        options::<V>(&given).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn options_are_numbers_texts_or_switches() {
-        let found: PeriodicOptions = options(&json!({"word": "RL", "cycles": "3", "all": true, "digits": 12})).unwrap();
-        assert_eq!((found.cycles, found.all, found.word.to_string().as_str()), (3, true, "P2 P1"));
-        let usual: PeriodicOptions =
-            options(&json!({"word": "RL", "cycles": 1, "all": false, "digits": null})).unwrap();
-        assert!(!usual.all);
-        let found: TwoImpactOptions = options(&json!({"cycles": "1..3", "wall": "right"})).unwrap();
-        assert_eq!(found.cycles, 1..=3);
+    fn refusal(text: &str) -> Failure {
+        let question = Question::read(text);
+        question.and_then(|question| question.answer(&Unwatched).map(drop)).unwrap_err()
     }
 
     #[test]
-    fn a_refusal_names_the_option_its_value_and_what_is_accepted() {
-        let given = json!({"word": "RL", "cycles": 0});
-        let accepted = "cycles is 0, but accepted is a whole number from 1 to 1000000";
-        assert_eq!(refusal::<PeriodicOptions>(given), accepted);
-        assert_eq!(refusal::<PeriodicOptions>(json!({"cycles": 1})), "word is missing");
-        let unknown = "wrod is not an option of periodic: accepted are word, cycles, all, max-bits, digits";
-        assert_eq!(refusal::<PeriodicOptions>(json!({"wrod": "RL"})), unknown);
-        let given = json!({"word": "RL", "cycles": 1, "all": "yes"});
-        assert_eq!(refusal::<PeriodicOptions>(given), "all is \"yes\", but accepted is true or false");
-        assert_eq!(refusal::<TwoImpactOptions>(json!({"wall": "up"})), "wall is up, but accepted is left, right");
-        let given = json!({"solve-for": "gap", "manifold": "frequency=1..2:3"});
-        assert_eq!(refusal::<TwoImpactOptions>(given), "solve-for and manifold exclude one another");
-        let word = options::<PeriodicOptions>(&json!({"word": "rl", "cycles": 1})).unwrap_err();
-        assert!(matches!(word, Failure::Option { option, value, .. } if option == "word" && value == "rl"));
-        // Neither files nor anything else of the command line can be reached.
-        assert!(refusal::<BifurcationOptions>(json!({"output": "x.json"})).starts_with("output is not an option"));
+    fn a_verb_is_found_by_its_name() {
+        let question = question("run", r#"{"impacts": 3, "until": 100.00000000000000000001}"#);
+        let answer = question.answer(&Unwatched).unwrap();
+        assert!(answer.status().is_complete());
+        let text = |format| answer.text(format).unwrap().unwrap();
+        assert!(text(Format::Json).starts_with("{\"schema\":\"impact-pair/orbit/1\""));
+        assert_eq!(text(Format::Csv).lines().count(), 4);
+        let names = VERBS.map(|(name, _)| name);
+        assert!(names.iter().enumerate().all(|(i, name)| !names[..i].contains(name)));
+    }
+
+    #[test]
+    fn a_question_that_is_none_is_refused_and_a_scene_that_is_none_as_a_scene() {
+        let asked = |scene: &str| format!(r#"{{"verb": "trap", "scene": {scene}}}"#);
+        let lacks = refusal(&asked(&SCENE.replace("\"gap\"", "\"gaps\"")));
+        assert!(
+            matches!(&lacks, Failure::Scene(error) if error.to_string() == "scene.gaps is \"9.42497\", but there is no such key")
+        );
+        let twice = refusal(&asked(&SCENE.replacen("{", r#"{"gap": "1", "#, 1)));
+        assert!(
+            matches!(&twice, Failure::Scene(error) if error.to_string().contains("the key \"gap\" is there twice"))
+        );
+        assert!(matches!(refusal("[]"), Failure::Question(_)));
+        assert!(
+            refusal(&asked(SCENE).replace("trap", "tarp"))
+                .to_string()
+                .starts_with("verb is tarp, but accepted are run")
+        );
+        let twice = asked(SCENE).replace("\"scene\"", r#""options": {"words": 2, "words": 3}, "scene""#);
+        assert!(refusal(&twice).to_string().starts_with("the option \"words\" is there twice"));
     }
 }

@@ -15,7 +15,7 @@ use impact_pair::watch::Watch;
 use impact_pair::{Effort, Error, Scene};
 
 use crate::values::{PrecisionArguments, count};
-use crate::{Answer, Asked, Failure, Format, Status, Step, TABLE_OR_JSON, Verb, heading, line};
+use crate::{Answer, Asked, Failure, Format, Picture, Status, Step, TABLE_OR_JSON, Verb, heading, line};
 
 /// Options of `tangency`.
 #[derive(Args, Clone, Debug)]
@@ -66,10 +66,8 @@ fn beside(scene: &Scene) -> Result<Range, Failure> {
 
 /// Tangencies over a parameter.
 pub struct HomoclinicTangencies<'s> {
-    /// Scene that the tangencies are near.
-    pub scene: &'s Scene,
-    /// The tangencies.
-    pub found: Tangencies,
+    scene: &'s Scene,
+    found: Tangencies,
 }
 
 impl Verb for TangencyOptions {
@@ -132,6 +130,10 @@ impl Answer for HomoclinicTangencies<'_> {
             Format::Json => line(&found.document(scene))?,
             _ => table(scene, found, &self.status())?,
         }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Tangency(self.scene, &self.found))
     }
 }
 

@@ -11,7 +11,7 @@ use impact_pair::{Effort, Error, Scene};
 
 use crate::graph::{Graph, Value};
 use crate::values::whole;
-use crate::{Answer, Asked, Failure, Format, Status, Verb, heading, line};
+use crate::{Answer, Asked, Failure, Format, Picture, Status, Verb, heading, line};
 
 /// Options of `trap`.
 #[derive(Args, Clone, Debug)]
@@ -26,16 +26,13 @@ pub struct TrapOptions {
 
 /// A region, or the reason why none is proved.
 pub struct Trapped<'s> {
-    /// Scene of the region.
-    pub scene: &'s Scene,
-    /// The region.
-    pub region: Result<Region, NoTrap>,
+    scene: &'s Scene,
+    region: Result<Region, NoTrap>,
 }
 
 /// A region, its document, its graph and its words.
-pub struct Region {
-    /// The region.
-    pub trap: Trap,
+struct Region {
+    trap: Trap,
     document: TrapDocument,
     words: Option<WallWords>,
     /// The reason why the words are not counted, if they are requested.
@@ -95,6 +92,10 @@ impl Answer for Trapped<'_> {
             (Ok(Region { uncounted: Some(_), .. }), _) => None,
             (Ok(region), format) => Some(region.graph(self.scene, format)?),
         })
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Trap(self.scene, &self.region.as_ref().ok()?.trap))
     }
 }
 

@@ -15,7 +15,9 @@ use impact_pair::watch::Watch;
 use impact_pair::{Effort, Scene};
 
 use crate::values::{PrecisionArguments, count};
-use crate::{Answer, Asked, Failure, Format, Status, Step, TABLE_OR_JSON, Verb, heading, line, physical, symmetric};
+use crate::{
+    Answer, Asked, Failure, Format, Picture, Status, Step, TABLE_OR_JSON, Verb, heading, line, physical, symmetric,
+};
 
 /// Options of `windows`.
 #[derive(Args, Clone, Debug)]
@@ -48,10 +50,8 @@ fn over(text: &str) -> Result<Over, impact_pair::Error> {
 
 /// Windows and their document.
 pub struct StableWindows<'s> {
-    /// Scene that the windows are near.
-    pub scene: &'s Scene,
-    /// The windows.
-    pub found: Windows,
+    scene: &'s Scene,
+    found: Windows,
     document: WindowsDocument,
 }
 
@@ -106,6 +106,10 @@ impl Answer for StableWindows<'_> {
         } else {
             table(self.scene, &self.found, &self.status())?
         }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Windows(self.scene, &self.found))
     }
 }
 

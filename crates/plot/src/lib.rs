@@ -6,10 +6,9 @@
 //! use impact_pair::Scene;
 //! use impact_pair::orbit::Orbit;
 //! use impact_pair::watch::Unwatched;
-//! use impact_pair_answers::read_options;
+//! use impact_pair_answers::{Options, read_options};
 //! use impact_pair_plot::orbit::{Figure, Panel};
 //! use impact_pair_plot::picture::Look;
-//! use serde_json::Map;
 //!
 //! let scene = Scene::parse(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/figure-14.toml")))?;
 //! let figure = Figure {
@@ -18,7 +17,7 @@
 //!     orbit_cycles: 0,
 //!     transient: 0,
 //!     zoom: None,
-//!     run: read_options("run", &Map::new())?,
+//!     run: read_options("run", &Options::default())?,
 //!     look: Look::default(),
 //! };
 //! let settings = figure.settings(&scene);
@@ -45,76 +44,24 @@ pub mod two_impact;
 pub mod windows;
 
 use anyhow::Result;
-use impact_pair_answers::trade::Trade;
-use impact_pair_answers::{
-    AllCycles, Analysis, Answer, Audited, Bifurcations, Chaotic, Described, HomoclinicTangencies, Periodic,
-    StableWindows, Trapped,
-};
+use impact_pair_answers::Picture;
 
 use picture::Look;
 
-/// An answer that may have a picture.
-pub trait Pictured: Answer {
-    /// The picture as SVG; `None` where there is nothing to draw.
-    ///
-    /// # Errors
-    /// If a value exceeds the range of what is drawn.
-    fn svg(&self, _look: &Look) -> Option<Result<String>> {
-        None
-    }
-}
-
-impl Pictured for Periodic<'_> {}
-
-impl Pictured for Bifurcations<'_> {}
-
-impl Pictured for Audited<'_> {}
-
-impl Pictured for AllCycles<'_> {}
-
-impl Pictured for Trapped<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        self.region.as_ref().ok().map(|region| chaos::trap(self.scene, &region.trap, look))
-    }
-}
-
-impl Pictured for Chaotic<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(match self {
-            Self::Horseshoe { scene, over, found, set, .. } => {
-                chaos::chaos(scene, over.as_ref(), (found, set.as_ref()), look)
-            }
-            Self::Cells { scene, requested, found, .. } => proved::cells(scene, requested, found, look),
-        })
-    }
-}
-
-impl Pictured for StableWindows<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(windows::windows(self.scene, &self.found, look))
-    }
-}
-
-impl Pictured for Analysis<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(global::global(self.scene, &self.found, &self.document, look))
-    }
-}
-
-impl Pictured for HomoclinicTangencies<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(tangency::tangency(self.scene, &self.found, look))
-    }
-}
-
-impl Pictured for Described<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(describe::describe(self.scene, &self.found, &self.document, look))
-    }
-}
-
-impl Pictured for Trade<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        Some(trade::svg(self, look))
+/// Draws the picture of an answer as SVG.
+///
+/// # Errors
+/// If a value exceeds the range of what is drawn.
+pub fn svg(picture: Picture<'_>, look: &Look) -> Result<String> {
+    match picture {
+        Picture::Trap(scene, region) => chaos::trap(scene, region, look),
+        Picture::Chaos(scene, over, found, set) => chaos::chaos(scene, over, (found, set), look),
+        Picture::ChaosCells(scene, requested, found) => proved::cells(scene, requested, found, look),
+        Picture::Windows(scene, found) => windows::windows(scene, found, look),
+        Picture::Global(scene, found, document) => global::global(scene, found, document, look),
+        Picture::Tangency(scene, found) => tangency::tangency(scene, found, look),
+        Picture::Description(scene, found, document) => describe::describe(scene, found, document, look),
+        Picture::Trade(trade) => trade::svg(trade, look),
+        Picture::Manifolds(scene, axis, curves) => two_impact::svg(scene, axis, curves, None, look),
     }
 }

@@ -16,7 +16,7 @@ use impact_pair::{Effort, Error, Scene};
 use serde::Deserialize;
 
 use crate::values::whole;
-use crate::{Answer, Asked, Counts, Failure, Format, Input, Status, TABLE_OR_JSON, Verb, heading, line};
+use crate::{Answer, Asked, Counts, Failure, Format, Input, Picture, Status, TABLE_OR_JSON, Verb, heading, line};
 
 /// Options of `chaos`.
 #[derive(Args, Clone, Debug)]
@@ -212,5 +212,14 @@ impl Answer for Chaotic<'_> {
             Self::Horseshoe { left_out, .. } => table::left_out(left_out),
             Self::Cells { .. } => Vec::new(),
         }
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(match self {
+            Self::Horseshoe { scene, over, found, set, .. } => {
+                Picture::Chaos(scene, over.as_ref(), found, set.as_ref())
+            }
+            Self::Cells { scene, requested, found, .. } => Picture::ChaosCells(scene, requested, found),
+        })
     }
 }

@@ -12,7 +12,7 @@ use impact_pair::watch::Watch;
 
 use super::{Description, Request, describe, lines};
 use crate::values::{bits, count, whole};
-use crate::{Answer, Asked, Failure, Format, Status, Verb, heading, line};
+use crate::{Answer, Asked, Failure, Format, Picture, Status, Verb, heading, line};
 
 /// Options of `describe`.
 #[derive(Args, Clone, Debug)]
@@ -30,12 +30,9 @@ pub struct DescribeOptions {
 
 /// A description and its document.
 pub struct Described<'s> {
-    /// Scene that is described.
-    pub scene: &'s Scene,
-    /// What is proved.
-    pub found: Description,
-    /// The document.
-    pub document: DescriptionDocument,
+    scene: &'s Scene,
+    found: Description,
+    document: DescriptionDocument,
 }
 
 impl Verb for DescribeOptions {
@@ -66,6 +63,10 @@ impl Answer for Described<'_> {
 
     fn text(&self, format: Format) -> Result<Option<String>> {
         Ok(Some(if format == Format::Json { line(&self.document)? } else { self.table()? }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Description(self.scene, &self.found, &self.document))
     }
 }
 

@@ -50,12 +50,11 @@ impl<'s, W: Write> Listing<'s, W> {
             return Err(error);
         }
         let ending = Ending::of(&orbit, Conclusion::of(&orbit, last.as_ref()), self.settings);
-        let status = Status::new(ending.is_complete(), ending.to_string());
-        Ok((self.end(&ending)?, status))
+        Ok((self.end(&ending)?, Status::from(&ending)))
     }
 
     /// Writes the part of the output before the events.
-    fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
+    pub(super) fn begin(&mut self, orbit: &Orbit) -> io::Result<()> {
         match self.format {
             Format::Table => table::begin(&mut self.out, self.scene, self.settings),
             Format::Json => Ok(()),
@@ -65,7 +64,7 @@ impl<'s, W: Write> Listing<'s, W> {
     }
 
     /// Writes an event, or holds it back.
-    fn event(&mut self, event: &Event) -> io::Result<()> {
+    pub(super) fn event(&mut self, event: &Event) -> io::Result<()> {
         match self.format {
             Format::Table => table::event(&mut self.out, event),
             Format::Json => {
@@ -78,7 +77,7 @@ impl<'s, W: Write> Listing<'s, W> {
     }
 
     /// Writes the part of the output after the events, and returns the writer.
-    fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
+    pub(super) fn end(mut self, ending: &Ending<'_>) -> io::Result<W> {
         match self.format {
             Format::Table => table::end(&mut self.out, ending)?,
             Format::Json => {

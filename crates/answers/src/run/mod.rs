@@ -1,6 +1,7 @@
 //! `run`: the certified events of a scene.
 
 mod listing;
+mod orbit;
 mod table;
 
 use clap::Args;
@@ -9,7 +10,6 @@ use impact_pair::exact::Exact;
 use impact_pair::orbit::{Arithmetic, MAX_BITS, Settings};
 use impact_pair::scene::Run;
 
-use crate::Format;
 use crate::values::{ARITHMETICS, bits, count, digits, point};
 pub use listing::{CSV_HEADER, Listing, csv_row};
 
@@ -41,14 +41,6 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
-    /// Formats of the events of an orbit.
-    pub const FORMATS: &'static [(Format, &'static str)] = &[
-        (Format::Table, "Human-readable: the certain digits, then the last digits of both bounds"),
-        (Format::Json, "One document, schema impact-pair/orbit/1"),
-        (Format::Jsonl, "JSON Lines as they are certified: the head, one event per line, the outcome"),
-        (Format::Csv, "One event per line, bounds in columns"),
-    ];
-
     /// The requested part of the table `[run]`.
     pub fn run(&self) -> Run {
         Run { impacts: self.impacts, until: self.until.clone(), digits: self.digits }

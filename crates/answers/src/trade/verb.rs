@@ -10,7 +10,7 @@ use impact_pair::{Error, Scene};
 
 use super::{Trade, table};
 use crate::values::{bits, count};
-use crate::{Answer, Asked, Counts, Failure, Format, Status, Verb};
+use crate::{Answer, Asked, Counts, Failure, Format, Picture, Status, Verb};
 
 /// Options of `trade`.
 #[derive(Args, Clone, Debug)]
@@ -69,5 +69,9 @@ impl Answer for Trade<'_> {
             Format::Json => format!("{}\n", one_a_line(&self.document(), &["arithmetics"])),
             _ => table::table(self),
         }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        Some(Picture::Trade(self))
     }
 }

@@ -17,7 +17,7 @@ use impact_pair::two_impact::{Answer as Motions, Axis, COUNTS, CYCLES, Manifold,
 use impact_pair::watch::Watch;
 
 use crate::values::{digits, numbers};
-use crate::{Answer, Asked, Counts, Failure, Format, Status, Verb};
+use crate::{Answer, Asked, Counts, Failure, Format, Picture, Status, Verb};
 
 /// Options of `two-impact`.
 #[derive(Args, Clone, Debug)]
@@ -209,5 +209,10 @@ impl Answer for TwoImpact<'_> {
             (Self::Manifolds { range, curves, .. }, Format::Csv) => csv::csv(range.axis, curves),
             (Self::Manifolds { scene, range, curves, .. }, _) => table::manifolds(scene, range.axis, curves),
         }))
+    }
+
+    fn picture(&self) -> Option<Picture<'_>> {
+        let Self::Manifolds { scene, range, curves, .. } = self else { return None };
+        (!curves.is_empty()).then_some(Picture::Manifolds(scene, range.axis, curves))
     }
 }

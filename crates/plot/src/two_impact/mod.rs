@@ -6,12 +6,10 @@ use anyhow::Result;
 use impact_pair::Scene;
 use impact_pair::exact::Enclosure;
 use impact_pair::two_impact::{Axis, Manifold, Mark, Point};
-use impact_pair_answers::TwoImpact;
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::Pictured;
 use crate::picture::{self, Canvas, Drawn, Element, FONT, LETTER_WIDTH, Look, Plane, SCALE, hex, letters};
 use curve::{Kind, Slope};
 
@@ -27,28 +25,12 @@ const MAX_AMPLITUDE: f64 = 0.75;
 /// The magnified window: its ends on both axes.
 pub type Window = [[f64; 2]; 2];
 
-impl Pictured for TwoImpact<'_> {
-    fn svg(&self, look: &Look) -> Option<Result<String>> {
-        magnified(self, None, look)
-    }
-}
-
-/// The picture of parameter manifolds, if there are any, with this part of it magnified.
-pub fn magnified(found: &TwoImpact<'_>, window: Option<Window>, look: &Look) -> Option<Result<String>> {
-    match found {
-        TwoImpact::Manifolds { scene, range, curves, .. } if !curves.is_empty() => {
-            Some(svg(scene, range.axis, curves, window, look))
-        }
-        TwoImpact::Manifolds { .. } | TwoImpact::Motions { .. } => None,
-    }
-}
-
 /// The picture as SVG; over v with both walls, since the curves are mirror images (72). With `window`, this part of the picture is
 /// shown again below, magnified.
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn.
-fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
+pub fn svg(scene: &Scene, axis: Axis, curves: &[Manifold], window: Option<Window>, look: &Look) -> Result<String> {
     let picture = Picture { curves, slope: Slope::of(scene, axis), gap: middle(&scene.pair().gap().enclose(64)), axis };
     let height = SIZE.1 + if window.is_some() { MAGNIFIED_HEIGHT } else { 0 };
     picture::svg(look.size((SIZE.0, height)), SCALE, |root| {
