@@ -26,9 +26,9 @@
 //! | (28)-(37), (52)-(56) | periodic orbits of any word, proved; all of them | [`periodic::Problem`], [`periodic::Chain`] |
 //! | (38)-(40) | eigenvalues, stability; fold and pitchfork of two-impact motions | [`periodic::eigenvalues`], [`periodic::Stability`], [`two_impact::Mark`] |
 //! | beyond the paper | chatter, rest and release; grazes; exact recurrence | [`orbit::Progress`], [`orbit::Outcome`] |
-//! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data | [`lyapunov`], [`sweep`] |
+//! | beyond the paper | finite-time Lyapunov exponents with proved bounds; sweeps over parameters and initial data are in `impact-pair-answers` | [`lyapunov`] |
 //! | beyond the paper | homoclinic tangencies of the equispaced motion (66), (67) | [`tangency`] |
-//! | beyond the paper | where every motion goes, over the plane of two parameters | [`atlas`] |
+//! | beyond the paper | where every motion goes; atlases over the plane of two parameters are in `impact-pair-answers` | [`chaos::Global`] |
 //! | beyond the paper | true orbits near chaotic ones, however long: shadowing | [`covering::Shadow`] |
 //! | beyond the paper | as many digits as requested | [`orbit::Arithmetic`], `number::MpBall`, `orbit::Plan` |
 //! | beyond the paper | with the feature `inari`: intervals of that package, IEEE 1788 | `number::inari`, `orbit::Orbit::intervals` |
@@ -76,7 +76,6 @@
 //! # Ok::<(), impact_pair::Error>(())
 //! ```
 
-pub mod atlas;
 pub mod audit;
 pub mod chaos;
 pub mod clock;
@@ -96,7 +95,6 @@ mod rest;
 pub mod scales;
 mod several;
 mod shaken;
-pub mod sweep;
 pub mod switch_plane;
 pub mod tangency;
 #[cfg(test)]

@@ -23,7 +23,6 @@ mod several;
 mod soundness;
 mod starts;
 mod straddle;
-mod sweeps;
 mod tangency;
 mod tolerances;
 mod two_impact;

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use impact_pair::Scene;
 use impact_pair::orbit::Settings;
-use impact_pair::scene::{Key, Over, Range};
 
 /// Reads the scene of a file, or of stdin when it is `-`.
 pub fn read(path: &Path) -> Result<Scene> {
@@ -19,15 +18,6 @@ pub fn read(path: &Path) -> Result<Scene> {
         ),
         _ => Error::from(error).context(name(path)),
     })
-}
-
-/// An error with what it is about: one of the ranges that `--over` gives, each with its key, or else the scene.
-pub fn about(error: impl Into<Error>, ranges: &[(Key, String)], scene: &Path) -> Error {
-    let error = error.into();
-    let at = error.downcast_ref::<impact_pair::Error>().and_then(impact_pair::Error::key);
-    let own = ranges.iter().find(|(key, _)| at.is_some_and(|at| at.starts_with(&key.place())));
-    let place = own.map_or_else(|| name(scene), |(_, range)| format!("--over {range}"));
-    error.context(place)
 }
 
 /// An error of an orbit with what it is about: `--until`, where the time to stop at is not that of a line of the scene, or else the scene.
@@ -60,11 +50,6 @@ pub fn keep(scene: &Path, output: Option<&Path>) -> Result<()> {
         bail!("cannot write {}: it is the input", output.display());
     }
     Ok(())
-}
-
-/// Returns the values of the keys that vary in a scene.
-pub fn ranged(over: &[Over], scene: &Scene, path: &Path) -> Result<Vec<Range>> {
-    Over::all(over, scene.pair()).map_err(|error| about(error, &[], path))
 }
 
 /// Refuses to write `output` and `plot` onto one file, or onto what is read.

@@ -42,9 +42,11 @@ fn format_help<V: Verb>() -> String {
 }
 
 /// Reads one of the formats of a verb.
-pub fn formats(all: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
+pub fn formats<F: ValueEnum + Send + Sync + 'static>(
+    all: &'static [(F, &'static str)],
+) -> impl TypedValueParser<Value = F> {
     let all = all.iter().filter_map(|(format, help)| Some(format.to_possible_value()?.help(*help)));
-    PossibleValuesParser::new(all).map(|name| Format::from_str(&name, false).expect("one of them"))
+    PossibleValuesParser::new(all).map(|name| F::from_str(&name, false).expect("one of them"))
 }
 
 /// The outputs of a verb.
@@ -132,7 +134,7 @@ fn swapped<V: Verb>(path: &Path, inputs: &[PathBuf]) -> Option<Error> {
 }
 
 /// The error with what it is about: an option, or else the scene.
-fn placed(failure: Failure, scene: &Path) -> Error {
+pub fn placed(failure: Failure, scene: &Path) -> Error {
     match failure {
         Failure::Scene(error) => Error::from(error).context(scene::name(scene)),
         Failure::Option { option, value, error } => Error::from(*error).context(format!("--{option} {value}")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import operator
 from collections.abc import Iterable, Mapping, Sequence
@@ -68,11 +69,6 @@ def whole(key: str, value: Any, most: int = MOST) -> int:
 def optional_whole(key: str, value: Any, most: int = MOST) -> int | None:
     """Return a whole number, if there is one."""
     return None if value is None else whole(key, value, most)
-
-
-def arithmetic_of(value: Any) -> str:
-    """Return the name of an arithmetic, or its number of bits."""
-    return value if isinstance(value, str) else str(whole("arithmetic", value))
 
 
 def string(key: str, value: Any) -> str:
@@ -187,6 +183,11 @@ def texts(key: str, value: Value | Sequence[Value]) -> str | list[str]:
     return [text(f"{key}.{i + 1}", one) for i, one in enumerate(value)]
 
 
-def optional(key: str, value: Value | None) -> str | None:
-    """Return a number as exact text, if there is one."""
-    return None if value is None else text(key, value)
+def options_of(options: Mapping[str, Any]) -> str:
+    """Return options as JSON, named as on the command line: switches, texts and lists as they are, numbers as exact texts."""
+
+    def said(key: str, value: Any) -> Any:
+        value = plain(value)
+        return value if value is None or isinstance(value, (bool, list)) else text(key, value)
+
+    return json.dumps({key.replace("_", "-"): said(key, value) for key, value in options.items()})

@@ -12,21 +12,24 @@ import os
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ._exact import Value, doubles_near, text, whole
+from . import _core
+from ._exact import Value, doubles_near, options_of, text, whole
 from ._progress import Progress, reporting
 from .bounds import doubles
 from .errors import Error, Interrupted, RangeError
 
 if TYPE_CHECKING:
-    from . import _core
     from .bounds import Doubles
+
+#: The keys that vary, each with its first value, its last one and their number, or with evenly spaced values.
+Over: TypeAlias = "Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles]"
 
 #: The largest ratio of a chunk to the last ones: the first ones determine the rate.
 GROWTH = 8
@@ -38,39 +41,22 @@ TAIL = 4
 BLOCK = 4096
 
 
-class Core(Protocol):
-    """The computation of points, which is compiled."""
-
-    @property
-    def points(self) -> int:
-        """Number of points of the grid."""
-
-    def check(self) -> None:
-        """Ask that the corners of the grid are scenes."""
-
-    def head(self) -> str:
-        """Return the first line."""
-
-    def compute(self, first: int, last: int) -> bytes:
-        """Return the lines of the points from the first up to the last, computed on one thread."""
-
-    def journal(self, path: str | None = None) -> _core.Journal:
-        """Return the journal in a file, a new one where there is none, or one that is gone with this process."""
-
-    def complete(self, journal: _core.Journal, progress: Any) -> None:
-        """Compute what a journal lacks, by all processors of this process."""
-
-
 @dataclass(frozen=True)
 class Question:
-    """The specification of a grid: everything that its points depend on, as sent to workers."""
+    """The specification of a sweep or an atlas: everything that its points depend on, as sent to workers; ``options`` are JSON."""
 
     scene: str
-    over: tuple[str, ...]
+    verb: str
+    options: str
 
-    def core(self) -> Core:
-        """Return the computation."""
-        raise NotImplementedError
+    def core(self, path: str | None = None) -> _core.Grid:
+        """Return the computation, with points that are kept in a file, or in one that is gone with this process."""
+        return _core.Grid(_core.Scene(self.scene), self.verb, self.options, path)
+
+    @property
+    def over(self) -> list[str]:
+        """What varies, in the words of the command line."""
+        return list(json.loads(self.options)["over"])
 
     def key(self) -> str:
         """Return a hash of scene, grid, settings and version: equal keys have the same points."""
@@ -114,11 +100,11 @@ class Rate:
         return max(1, min(estimate, GROWTH * self.largest, -(-left // (TAIL * self.workers))))
 
 
-def axes(over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles]) -> tuple[str, ...]:
-    """Return what varies in the words of the command line."""
+def question(scene: str, verb: str, over: Over, options: Mapping[str, Any]) -> Question:
+    """Return the question of a sweep or an atlas of a scene, with options as keywords."""
     if not isinstance(over, Mapping):
         raise RangeError(f'over is {over!r}, but must be a dict, such as {{"amplitude": (1, 10, 1000)}}', "over", repr(over))
-    return tuple(axis(key, values) for key, values in over.items())
+    return Question(scene, verb, options_of({"over": [axis(key, values) for key, values in over.items()], **options}))
 
 
 def computed(
@@ -129,7 +115,7 @@ def computed(
     resume: str | os.PathLike[str] | None = None,
     seconds: float = 10.0,
     progress: Progress = None,
-) -> _core.Journal:
+) -> _core.Grid:
     """Compute all points, or those that are finished when Ctrl-C comes."""
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise RangeError(f"executor is {executor!r}, but must be a concurrent.futures.Executor", "executor", repr(executor))
@@ -137,18 +123,28 @@ def computed(
     core.check()
     if resume is not None:
         Path(resume).mkdir(parents=True, exist_ok=True)
-    journal = core.journal(None if resume is None else str(Path(resume) / f"{question.key()}.partial"))
-    count = workers or workers_of(executor)
+        core = question.core(str(Path(resume) / f"{question.key()}.partial"))
+    points = points_of(core)
     # Finished points are kept.
-    with reporting(progress, "points", core.points) as report, contextlib.suppress(KeyboardInterrupt):
+    with reporting(progress, "points", points) as report, contextlib.suppress(KeyboardInterrupt):
         if executor is None:
-            core.complete(journal, report)
+            core.complete(report)
             if report is not None:
                 # Some are finished after the last look.
-                report(core.points - sum(last - first for first, last in journal.missing()))
+                report(points - missing(core))
         else:
-            Run(question, journal, core.points, Rate(seconds, count), report).on(executor)
-    return journal
+            Run(question, core, Rate(seconds, workers or workers_of(executor)), report).on(executor)
+    return core
+
+
+def points_of(core: _core.Grid) -> int:
+    """Return the number of points of the grid."""
+    return int(json.loads(core.head())["points"])
+
+
+def missing(core: _core.Grid) -> int:
+    """Return the number of points that are missing."""
+    return sum(last - first for first, last in core.missing())
 
 
 def spread(key: str, given: Any) -> tuple[Value, Value, int]:
@@ -196,11 +192,10 @@ def workers_of(executor: Executor | None) -> int:
 class Run:
     """A sweep at work, by an executor."""
 
-    def __init__(self, question: Question, journal: _core.Journal, points: int, rate: Rate, report: Any) -> None:
-        self.question, self.journal, self.rate = question, journal, rate
-        self.gaps = journal.missing()
-        self.left = sum(last - first for first, last in self.gaps)
-        self.done, self._report = points - self.left, report
+    def __init__(self, question: Question, core: _core.Grid, rate: Rate, report: Any) -> None:
+        self.question, self.core, self.rate = question, core, rate
+        self.gaps, self.left = core.missing(), missing(core)
+        self.done, self._report = points_of(core) - self.left, report
 
     def next(self) -> tuple[int, int]:
         """Take the next points that are left."""
@@ -216,7 +211,7 @@ class Run:
         """Keep a finished chunk."""
         if lines.count(b"\n") != last - first:
             raise Error(f"a worker answered with {lines.count(10)} lines for the points from {first} up to {last}")
-        self.journal.add(lines.decode())
+        self.core.add(lines.decode())
         self.rate.report(last - first, took)
         self.done += last - first
         if self._report:
@@ -250,12 +245,8 @@ class GridResult:
     #: The name of its kind, in a word.
     name = "grid"
 
-    def __init__(self, question: Question, journal: _core.Journal) -> None:
-        self._question, self._journal = question, journal
-
-    @cached_property
-    def _core(self) -> Any:
-        return self._question.core()
+    def __init__(self, question: Question, core: _core.Grid) -> None:
+        self._question, self._core = question, core
 
     @cached_property
     def head(self) -> dict[str, Any]:
@@ -266,10 +257,17 @@ class GridResult:
     @property
     def interrupted(self) -> bool:
         """True if Ctrl-C ended it: some points of the grid are missing."""
-        return self._missing() > 0
+        return missing(self._core) > 0
 
-    def _missing(self) -> int:
-        return sum(last - first for first, last in self._journal.missing())
+    @property
+    def complete(self) -> bool:
+        """True if everything requested is proved at every point: the command line's exit code 0."""
+        return not self.interrupted and self._core.status()[0]
+
+    @property
+    def status(self) -> str:
+        """How much is proved, in words: the last line of the command line."""
+        return self._core.status()[1]
 
     def require_whole(self) -> None:
         """Raise :class:`Interrupted` where points are missing.
@@ -281,23 +279,32 @@ class GridResult:
 
         """
         if self.interrupted:
-            said = f"the {self.name} was interrupted, {self._missing()} of {self.points} points are missing"
+            said = f"the {self.name} was interrupted, {missing(self._core)} of {self.points} points are missing"
             raise Interrupted(f"{said}: to_pandas() has the finished ones, and {article(self.name)} with resume= goes on")
 
     @property
     def points(self) -> int:
         """Number of points of the grid."""
-        return int(self._core.points)
+        return int(self.head["points"])
 
     def __len__(self) -> int:
         return self.points
 
+    def _blocks(self) -> Iterator[tuple[int, int]]:
+        """Yield the first point of some at a time, and the one after the last."""
+        return ((first, min(first + BLOCK, self.points)) for first in range(0, self.points, BLOCK))
+
     def lines(self) -> Iterator[bytes]:
         """Yield the records as JSON Lines, some at a time, in the order of the grid."""
-        for first in range(0, self.points, BLOCK):
-            lines = self._journal.lines(first, min(first + BLOCK, self.points))
-            if lines:
-                yield lines
+        return filter(None, (self._core.lines(*block) for block in self._blocks()))
+
+    def _written(self, rows: str = "") -> Iterator[bytes]:
+        """Yield a table as CSV, or without one the JSON Lines."""
+        if rows:
+            yield from (self._core.csv(*block, rows) for block in self._blocks())
+        else:
+            yield self._core.head().encode() + b"\n"
+            yield from self.lines()
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         for lines in self.lines():
@@ -306,18 +313,18 @@ class GridResult:
 
     def _summary(self, counts: Mapping[str, int]) -> str:
         said = ", ".join(f"{count} {name}" for name, count in counts.items())
-        missing = f"; interrupted, {self._missing()} of {self.points} points are missing" if self.interrupted else ""
-        return f"<{self.name} over {' and '.join(self._question.over)}: {said}{missing}>"
+        left = f"; interrupted, {missing(self._core)} of {self.points} points are missing" if self.interrupted else ""
+        return f"<{self.name} over {' and '.join(self._question.over)}: {said}{left}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return restored, (type(self), replace(self._question), b"".join(self.lines()))
+        return restored, (type(self), self._question, b"".join(self.lines()))
 
 
 def restored(kind: type[GridResult], question: Question, lines: bytes) -> GridResult:
     """Return the result that was pickled."""
-    journal = question.core().journal()
-    journal.add(lines.decode())
-    return kind(question, journal)
+    core = question.core()
+    core.add(lines.decode())
+    return kind(question, core)
 
 
 def article(name: str) -> str:

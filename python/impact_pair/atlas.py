@@ -4,46 +4,24 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from . import _core, _grid
-from ._exact import Value
 from ._file import ending, parquet, write
-from ._grid import GridResult, arrays, arrow, axes, computed, flat
+from ._grid import GridResult, Over, arrays, arrow, computed, flat, question
 from ._progress import Progress
-
-if TYPE_CHECKING:
-    from .bounds import Doubles
 
 #: The endings of files that an atlas is written into.
 ENDINGS = (".csv", ".jsonl", ".parquet", ".svg", ".html")
-#: The classes in which every motion is proved to end in one cycle with rests, or to tend to one attractor.
-DECIDED = ("one-rest-cycle", "one-attractor")
-
-
-@dataclass(frozen=True)
-class Question(_grid.Question):
-    """The specification of an atlas: everything that its points or cells depend on, as sent to workers."""
-
-    cells: bool
-    effort: str
-    horseshoes: int | None
-    digits: int
-
-    def core(self) -> _core.Atlas:
-        """Return the atlas for the computation."""
-        return _core.Atlas(_core.Scene(self.scene), list(self.over), self.cells, (self.effort, self.horseshoes, self.digits))
 
 
 def atlas(
     scene: str,
-    over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
-    requested: dict[str, Any],
+    over: Over,
+    options: Mapping[str, Any],
     *,
     executor: Executor | None = None,
     workers: int | None = None,
@@ -57,23 +35,15 @@ def atlas(
     counts are those of the smallest cells along each axis. The start of the scene is not used. ``executor``, ``workers``, ``resume`` and
     ``seconds`` are those of :func:`impact_pair.sweep.sweep`.
     """
-    question = Question(scene, axes(over), **requested)
+    asked = question(scene, "atlas", over, options)
     how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-    return AtlasResult(question, computed(question, **how))
+    return AtlasResult(asked, computed(asked, **how))
 
 
 class AtlasResult(GridResult):
     """An atlas: what is proved of every motion at each point or cell, in the order of the grid; after Ctrl-C of those that are finished."""
 
     name = "atlas"
-
-    def __init__(self, question: Question, journal: _core.Journal) -> None:
-        super().__init__(question, journal)
-
-    @property
-    def complete(self) -> bool:
-        """True if all of the plane is decided: the command line's exit code 0."""
-        return not self.interrupted and all(name in DECIDED for name in self.classes)
 
     @property
     def classes(self) -> dict[str, int]:
@@ -83,7 +53,7 @@ class AtlasResult(GridResult):
     @cached_property
     def table(self) -> dict[str, Any]:
         """The columns of CSV as arrays, a row a point or cell: exact values as doubles (n, 2), rounded outward, ends of cells inward."""
-        return arrays(self._core.table(b"".join(self.lines())))
+        return arrays(self._core.table("points"))
 
     def to_dict(self) -> dict[str, Any]:
         """Return columns by name, exact values as two, ``amplitude_lower`` and ``amplitude_upper``; the ends of cells rounded inward."""
@@ -101,11 +71,11 @@ class AtlasResult(GridResult):
 
     def svg(self) -> str:
         """Return the plane in the colours of the classes, with the paper's curves over it, as SVG."""
-        return str(self._core.svg(b"".join(self.lines())))
+        return self._core.picture("svg")
 
     def html(self) -> str:
         """Return the page: one file without anything from elsewhere, in which each point or cell says what is proved of it."""
-        return str(self._core.html(b"".join(self.lines())))
+        return self._core.picture("html")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write .csv, .jsonl, .svg or .html, with the bytes of ``impact-pair atlas``, or .parquet by pyarrow. It is written atomically.
@@ -131,13 +101,11 @@ class AtlasResult(GridResult):
             case ".html":
                 yield self.html().encode()
             case ".csv":
-                yield self._core.csv_head().encode()
-                yield from (self._core.csv(lines) for lines in self.lines())
+                yield from self._written("points")
             case ".parquet":
                 yield parquet(self.to_arrow())
             case _:
-                yield self._core.head().encode() + b"\n"
-                yield from self.lines()
+                yield from self._written()
 
     def __repr__(self) -> str:
         return self._summary(self.classes)

@@ -13,9 +13,9 @@ import numpy as np
 
 from . import _core, answers
 from ._document import Document
-from ._exact import IMPACTS, Number, Value, arithmetic_of, doubles_of, optional_whole, plain, single, string, text, texts, whole
+from ._exact import IMPACTS, Number, Value, doubles_of, optional_whole, options_of, single, string, text, texts, whole
 from ._file import read
-from ._grid import spaced
+from ._grid import Over, spaced
 from ._progress import Progress, kept, reporting
 from .atlas import AtlasResult, atlas
 from .bounds import doubles
@@ -182,7 +182,7 @@ class Scene:
 
         Options are those of the command line, which says what is accepted; None is their default.
         """
-        return self._ask(kind, (verb, question_of(options)), counted, how)
+        return self._ask(kind, (verb, options_of(options)), counted, how)
 
     def _ask(
         self, kind: type[Answer], question: tuple[str, str], counted: tuple[str, int | None], how: tuple[bool, Progress, bool]
@@ -244,7 +244,7 @@ class Scene:
         """
         impacts = optional_whole("impacts", impacts, IMPACTS)
         options = {"impacts": impacts, "until": until, "digits": digits, "arithmetic": arithmetic, "splice": splice}
-        return self._run(question_of(options | {"max_bits": max_bits}), impacts, (progress, keep_partial))
+        return self._run(options_of(options | {"max_bits": max_bits}), impacts, (progress, keep_partial))
 
     def _run(self, requested: str, impacts: int | None, how: tuple[Progress, bool]) -> Orbit:
         """Return the orbit with options as JSON, as many impacts as progress counts up to."""
@@ -368,7 +368,7 @@ class Scene:
 
     def sweep(
         self,
-        over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | npt.NDArray[np.float64]],
+        over: Over,
         *,
         transient: int = 500,
         impacts: int = 300,
@@ -384,15 +384,14 @@ class Scene:
         keep_partial: bool = False,
     ) -> SweepResult:
         """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
-        requested: dict[str, Any] = {"transient": whole("transient", transient, IMPACTS), "impacts": whole("impacts", impacts, IMPACTS)}
-        requested |= {"digits": whole("digits", digits), "max_bits": whole("max_bits", max_bits)}
-        requested |= {"arithmetic": arithmetic_of(arithmetic), "summary": summary}
+        options = {"transient": transient, "impacts": impacts, "digits": digits, "arithmetic": arithmetic}
+        options |= {"max_bits": max_bits, "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return kept(sweep(self._text, over, requested, **how), keep_partial)  # type: ignore[arg-type]
+        return kept(sweep(self._text, over, options, **how), keep_partial)  # type: ignore[arg-type]
 
     def atlas(
         self,
-        over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | npt.NDArray[np.float64]],
+        over: Over,
         *,
         cells: bool = False,
         effort: Number = 1,
@@ -411,10 +410,9 @@ class Scene:
         ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at most that many
         impacts.
         """
-        requested: dict[str, Any] = {"cells": cells, "effort": text("effort", effort), "digits": whole("digits", digits)}
-        requested |= {"horseshoes": optional_whole("horseshoes", horseshoes)}
+        options = {"cells": cells, "effort": effort, "horseshoes": horseshoes, "digits": digits}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return kept(atlas(self._text, over, requested, **how), keep_partial)  # type: ignore[arg-type]
+        return kept(atlas(self._text, over, options, **how), keep_partial)  # type: ignore[arg-type]
 
     def periodic(
         self,
@@ -684,7 +682,7 @@ class Scene:
         """Draw panels of the paper's figures 12-17, by their letters, as SVG; for matplotlib see :mod:`impact_pair.plots`."""
         impacts = optional_whole("impacts", impacts, IMPACTS)
         options = {"impacts": impacts, "until": until, "digits": digits, "arithmetic": arithmetic, "splice": splice}
-        requested = question_of(options | {"max_bits": max_bits})
+        requested = options_of(options | {"max_bits": max_bits})
         shown = (whole("cycles", cycles), whole("orbit_cycles", orbit_cycles))
         with reporting(progress, "impacts", impacts) as report:
             return kept(answers.Picture(*_core.plot(self._core, string("panels", panels), shown, requested, report)), keep_partial)
@@ -724,16 +722,6 @@ def both_ends(key: str, counts: int | tuple[int, int]) -> str:
     if isinstance(counts, tuple) and len(counts) != 2:
         raise RangeError(f"{key} is {counts!r}, but must be a number, or a tuple of the first and the last", key, repr(counts))
     return "..".join(text(key, count) for count in (counts if isinstance(counts, tuple) else (counts,)))
-
-
-def question_of(options: Mapping[str, Any]) -> str:
-    """Return options as JSON, named as on the command line: switches and texts as they are, numbers as exact texts."""
-
-    def said(key: str, value: Any) -> Any:
-        value = plain(value)
-        return value if value is None or isinstance(value, bool) else text(key, value)
-
-    return json.dumps({key.replace("_", "-"): said(key, value) for key, value in options.items()})
 
 
 def ranged(over: Mapping[str, tuple[Value, Value]]) -> str:

@@ -8,22 +8,17 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
-from . import _cf, _core, _grid
-from ._exact import Value
+from . import _cf
 from ._file import ending, parquet, write
-from ._grid import GridResult, arrays, arrow, axes, computed, flat
+from ._grid import GridResult, Over, arrays, arrow, computed, flat, question
 from ._progress import Progress
 from .errors import RangeError
-
-if TYPE_CHECKING:
-    from .bounds import Doubles
 
 #: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
 Rows = Literal["mixed", "points", "states"]
@@ -35,28 +30,10 @@ _MapOutcomes: TypeAlias = "tuple[list[int], list[str], list[tuple[str, str]], li
 TABLES = (".csv", ".parquet")
 
 
-@dataclass(frozen=True)
-class Question(_grid.Question):
-    """The specification of a sweep: everything that its points depend on, as sent to workers."""
-
-    transient: int
-    impacts: int
-    digits: int
-    arithmetic: str
-    max_bits: int
-    summary: bool
-
-    def core(self) -> _core.Sweep:
-        """Return the sweep for the computation."""
-        requested = (self.digits, self.arithmetic, self.max_bits)
-        scene = _core.Scene(self.scene)
-        return _core.Sweep(scene, list(self.over), (self.transient, self.impacts), requested, self.summary)
-
-
 def sweep(
     scene: str,
-    over: Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles],
-    requested: dict[str, Any],
+    over: Over,
+    options: Mapping[str, Any],
     *,
     executor: Executor | None = None,
     workers: int | None = None,
@@ -78,9 +55,9 @@ def sweep(
     called again after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
     :class:`impact_pair.Stopped`, whose ``partial`` has the finished points and is ``interrupted``.
     """
-    question = Question(scene, axes(over), **requested)
+    asked = question(scene, "sweep", over, options)
     how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-    return SweepResult(question, computed(question, **how))
+    return SweepResult(asked, computed(asked, **how))
 
 
 class SweepResult(GridResult):
@@ -88,18 +65,10 @@ class SweepResult(GridResult):
 
     name = "sweep"
 
-    def __init__(self, question: Question, journal: _core.Journal) -> None:
-        super().__init__(question, journal)
-
     @property
     def certified(self) -> bool:
         """True if the bounds are proved: false for ``arithmetic="float"``."""
         return bool(self.head["certified"])
-
-    @property
-    def complete(self) -> bool:
-        """True if everything requested is certified at every point: the command line's exit code 0."""
-        return not self.interrupted and all(record["complete"] for record in self)
 
     @property
     def outcomes(self) -> dict[str, int]:
@@ -107,7 +76,7 @@ class SweepResult(GridResult):
         return dict(sorted(Counter(record["outcome"] for record in self).items()))
 
     def _table(self, rows: Rows) -> dict[str, Any]:
-        return arrays(self._core.table(b"".join(self.lines()), rows))
+        return arrays(self._core.table(rows))
 
     @cached_property
     def table(self) -> dict[str, Any]:
@@ -164,12 +133,11 @@ class SweepResult(GridResult):
         Then the legend, colours with names, and where attractors hit the left wall first, phase and velocity with their colour. Attractors
         of one pair are told apart by their states, or with ``by_word`` only by their words.
         """
-        found: _MapOutcomes = self._core.outcomes(b"".join(self.lines()), by_word)
-        return found
+        return self._core.outcomes(by_word)
 
     def svg(self, show: str = "phase") -> str:
         """Return the bifurcation diagram over one key (``show`` is phase or velocity), or the map of outcomes over two, as SVG."""
-        return str(self._core.svg(b"".join(self.lines()), show))
+        return self._core.picture(show)
 
     def save(self, path: str | os.PathLike[str], states: str | os.PathLike[str] | None = None) -> None:
         """Write .csv, .jsonl or .svg, with the bytes of ``impact-pair sweep``; .parquet by pyarrow, ``to_xarray`` as .nc or .zarr.
@@ -219,13 +187,11 @@ class SweepResult(GridResult):
             case ".svg":
                 yield self.svg().encode()
             case ".csv":
-                yield self._core.csv_head(rows).encode()
-                yield from (self._core.csv(lines, rows) for lines in self.lines())
+                yield from self._written(rows)
             case ".parquet":
                 yield parquet(self.to_arrow(rows))
             case _:
-                yield self._core.head().encode() + b"\n"
-                yield from self.lines()
+                yield from self._written()
 
     def __repr__(self) -> str:
         return self._summary(self.outcomes)

@@ -47,7 +47,12 @@ impl Fault {
 
     /// The error of a text that this keyword gives, which names no key of its own.
     pub fn keyed(error: Error, key: &str, text: &str) -> Self {
-        match Self::Ours(error).described() {
+        Self::Ours(error).about(key, text)
+    }
+
+    /// The same about a keyword that is given as this text, where it names no key of its own.
+    pub fn about(self, key: &str, text: &str) -> Self {
+        match self.described() {
             Self::Said { class, message, key: None, value: None } => {
                 Self::Said { class, message, key: Some(key.to_owned()), value: Some(text.to_owned()) }
             }

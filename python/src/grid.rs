@@ -1,132 +1,121 @@
-//! Shared parts of sweeps and atlases: points computed and kept, and tables as columns.
+//! Grids of points: computed here or by workers, kept, and read as tables and pictures.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard};
 
-use anyhow::Result;
-use impact_pair::sweep::{Cell, Head, Kind, doubles};
-use impact_pair::watch::Watch;
-use impact_pair_answers::grid::{self, Task};
+use impact_pair::scene::Over;
+use impact_pair_answers::grid::{Cell, Kind, doubles};
+use impact_pair_answers::{AtlasOptions, Failure, SweepOptions, read_options};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
+use crate::answer::options_of;
 use crate::errors::Fault;
 use crate::numbers::bytes;
-use crate::watched::{Monitor, watched};
+use crate::scene::Scene;
+use crate::surveys::{Kept, MapOutcomes, kept};
+use crate::watched::{watched, watched_whole};
 
-/// Computes the line of a point; `None` where it was stopped.
-type Line<'l> = &'l (dyn Fn(u64, &Monitor) -> Result<Option<String>, Fault> + Sync);
-
-/// The finished points of a grid, as the command line keeps them.
+/// A sweep or an atlas: each point is a function of the exact scene and its number.
 #[pyclass(frozen, module = "impact_pair._core")]
-pub struct Journal(Mutex<Box<dyn Kept>>);
-
-/// A journal of a sweep or of an atlas.
-trait Kept: Send {
-    fn missing(&self) -> Vec<u64>;
-    fn add_lines(&mut self, lines: &str) -> Result<()>;
-    fn lines(&mut self, first: u64, last: u64) -> Result<String>;
-    fn complete(&mut self, task: Task<'_>, watch: &dyn Watch) -> Result<()>;
-}
-
-impl<H: Head + Send> Kept for grid::Journal<H> {
-    fn missing(&self) -> Vec<u64> {
-        self.missing()
-    }
-
-    fn add_lines(&mut self, lines: &str) -> Result<()> {
-        self.add_lines(lines)
-    }
-
-    fn lines(&mut self, first: u64, last: u64) -> Result<String> {
-        let mut text = String::new();
-        for point in first..last {
-            if self.holds(point) {
-                text += &self.line(point)?;
-                text.push('\n');
-            }
-        }
-        Ok(text)
-    }
-
-    fn complete(&mut self, task: Task<'_>, watch: &dyn Watch) -> Result<()> {
-        grid::complete(self, None, task, (watch, &|| ()))
-    }
-}
-
-impl Journal {
-    /// The journal in a file, or in one that is gone with the program.
-    pub fn open<H: Head + Send + 'static>(head: H, path: Option<PathBuf>) -> PyResult<Self> {
-        let kept = grid::Journal::kept(head, path).map_err(said)?;
-        Ok(Self(Mutex::new(Box::new(kept))))
-    }
-
-    fn kept(&self) -> MutexGuard<'_, Box<dyn Kept>> {
-        self.0.lock().expect("no thread has panicked")
-    }
-
-    /// Computes the points that are missing, by all processors; after Ctrl-C those that are finished are there.
-    pub fn complete(&self, py: Python<'_>, points: u64, progress: Option<Py<PyAny>>, line: Line<'_>) -> PyResult<()> {
-        watched(py, progress, |monitor| {
-            let mut kept = self.kept();
-            monitor.report(points - kept.missing().len() as u64);
-            // The first fault keeps its class.
-            let fault = Mutex::new(None);
-            let task = |point: u64| {
-                line(point, monitor).map_err(|own| {
-                    fault.lock().expect("no thread has panicked").get_or_insert(own);
-                    anyhow::anyhow!("a point is refused")
-                })
-            };
-            let done = kept.complete(&task, monitor);
-            match fault.into_inner().expect("no thread has panicked") {
-                Some(fault) => Err(fault),
-                None => done.map_err(said),
-            }
-        })
-    }
-}
+pub struct Grid(Box<dyn Kept>);
 
 #[pymethods]
-impl Journal {
+impl Grid {
+    /// The `sweep` or the `atlas` of a scene with options as JSON. Its points are kept in a file, a new one where there is none, or in one that is
+    /// gone with the program.
+    #[new]
+    #[pyo3(signature = (scene, verb, options, path=None))]
+    fn new(scene: &Bound<'_, Scene>, verb: &str, options: &str, path: Option<PathBuf>) -> PyResult<Self> {
+        let (scene, options) = (&scene.get().scene, options_of(options)?);
+        let found = if verb == "sweep" {
+            let options: SweepOptions = read_options("sweep", &options).map_err(Fault::from)?;
+            kept(options.of(scene, None).map_err(|failure| refused(failure, &options.over))?, path)
+        } else {
+            let options: AtlasOptions = read_options("atlas", &options).map_err(Fault::from)?;
+            kept(options.of(scene, None).map_err(|failure| refused(failure, &options.over))?, path)
+        };
+        Ok(Self(found?))
+    }
+
+    /// Asks that the corners of the grid are accepted: then all points are.
+    fn check(&self) -> PyResult<()> {
+        Ok(self.0.check().map_err(Fault::from)?)
+    }
+
+    /// The first line: all that the points depend on, but their numbers.
+    fn head(&self) -> String {
+        self.0.head()
+    }
+
+    /// The lines of the points from the first up to the last, as a worker computes them; after Ctrl-C those that are finished.
+    fn compute<'py>(&self, py: Python<'py>, first: u64, last: u64) -> PyResult<Bound<'py, PyBytes>> {
+        let lines: Vec<Option<String>> =
+            watched(py, None, |monitor| (first..last).map(|point| self.0.line(point, monitor)).collect())?;
+        let text: String = lines.into_iter().flatten().map(|line| line + "\n").collect();
+        Ok(PyBytes::new(py, text.as_bytes()))
+    }
+
+    /// Computes what is missing, by all processors; after Ctrl-C what is finished is there.
+    fn complete(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<()> {
+        watched(py, progress, |monitor| self.0.complete(monitor))
+    }
+
     /// The ranges of missing points: the first, and the one after the last.
     fn missing(&self) -> Vec<(u64, u64)> {
-        let points = self.kept().missing();
+        let points = self.0.missing();
         let ranges = points.chunk_by(|point, next| point + 1 == *next);
         ranges.map(|range| (range[0], range[range.len() - 1] + 1)).collect()
     }
 
     /// Adds the lines of points that a worker has computed; from now on a crash does not lose them.
     fn add(&self, lines: &str) -> PyResult<()> {
-        Ok(self.kept().add_lines(lines).map_err(said)?)
+        Ok(self.0.add_lines(lines)?)
     }
 
     /// The lines of the points from the first up to the last that are there.
     fn lines<'py>(&self, py: Python<'py>, first: u64, last: u64) -> PyResult<Bound<'py, PyBytes>> {
-        let lines = self.kept().lines(first, last).map_err(said)?;
-        Ok(PyBytes::new(py, lines.as_bytes()))
+        Ok(PyBytes::new(py, self.0.lines(first..last)?.as_bytes()))
+    }
+
+    /// True if everything requested is proved at the points that are there, and what is proved, in words.
+    fn status(&self, py: Python<'_>) -> PyResult<(bool, String)> {
+        let status = watched_whole(py, None, |_| self.0.status())?;
+        Ok((status.is_complete(), status.in_python()))
+    }
+
+    /// The points from the first up to the last as rows of CSV; before point 0 the names of the columns.
+    fn csv<'py>(&self, py: Python<'py>, first: u64, last: u64, rows: &str) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, watched_whole(py, None, |_| self.0.csv(first..last, rows))?.as_bytes()))
+    }
+
+    /// A picture as SVG: of a sweep the diagram of `phase` or `velocity`, or of two keys the map of outcomes; of an atlas its plane, or the page
+    /// as `html`.
+    fn picture(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        watched_whole(py, None, |_| self.0.picture(name))
+    }
+
+    /// The outcomes of a map, attractors of one pair told apart unless `by_word`: for each point that is there the number of its kind, the colours of
+    /// kinds, the legend, and where attractors hit the left wall first, with their colours.
+    fn outcomes(&self, py: Python<'_>, by_word: bool) -> PyResult<MapOutcomes> {
+        watched_whole(py, None, |_| self.0.outcomes(by_word))
+    }
+
+    /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
+    fn table<'py>(&self, py: Python<'py>, rows: &str) -> PyResult<Bound<'py, PyDict>> {
+        let mut found = Err(Fault::other("no table").into());
+        self.0.table(rows, &mut |columns, rows| found = dictionary(py, columns, rows))?;
+        found
     }
 }
 
-/// An error of a journal with its causes.
-fn said(error: anyhow::Error) -> Fault {
-    Fault::other(format!("{error:#}"))
-}
-
-/// The lines of the points from the first up to the last, as a worker computes them; after Ctrl-C those that are finished.
-pub fn computed<'py>(py: Python<'py>, (first, last): (u64, u64), line: Line<'_>) -> PyResult<Bound<'py, PyBytes>> {
-    let lines: Vec<Option<String>> =
-        watched(py, None, |monitor| (first..last).map(|point| line(point, monitor)).collect())?;
-    let mut text = String::new();
-    for line in lines.iter().flatten() {
-        text.push_str(line);
-        text.push('\n');
-    }
-    Ok(PyBytes::new(py, text.as_bytes()))
+/// The failure of a grid, of the keyword where it names no key of the scene.
+fn refused(failure: Failure, over: &[Over]) -> Fault {
+    let over: Vec<String> = over.iter().map(Over::to_string).collect();
+    Fault::from(failure).about("over", &over.join(" "))
 }
 
 /// The columns of a table by name: lists, and of bounds bytes of doubles rounded outward, NaN where there are none.
-pub fn dictionary<'py>(
+fn dictionary<'py>(
     py: Python<'py>,
     columns: &[(String, Kind)],
     rows: &[Vec<Cell<'_>>],

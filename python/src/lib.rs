@@ -3,18 +3,16 @@
 //! the documentation for people are in the package above it.
 
 mod answer;
-mod atlas;
 mod box_map;
 mod describe;
 mod errors;
 mod flights;
 mod grid;
-mod lines;
 mod numbers;
 mod orbit;
 mod pictures;
 mod scene;
-mod sweep;
+mod surveys;
 mod verbs;
 mod watched;
 
@@ -26,15 +24,13 @@ mod _core {
     #[pymodule_export]
     use super::answer::{answer, question};
     #[pymodule_export]
-    use super::atlas::Atlas;
-    #[pymodule_export]
     use super::box_map::box_map;
     #[pymodule_export]
     use super::describe::description_lines;
     #[pymodule_export]
     use super::flights::flights;
     #[pymodule_export]
-    use super::grid::Journal;
+    use super::grid::Grid;
     #[pymodule_export]
     use super::numbers::{bracket, outward};
     #[pymodule_export]
@@ -43,8 +39,6 @@ mod _core {
     use super::pictures::plot;
     #[pymodule_export]
     use super::scene::{Scene, paper};
-    #[pymodule_export]
-    use super::sweep::Sweep;
     #[pymodule_export]
     use super::verbs::{check, prove};
 

@@ -1,7 +1,7 @@
 //! Exact texts and their bounds as doubles.
 
 use impact_pair::exact::{Enclosure, Exact, decimal_digits};
-use impact_pair::sweep::doubles;
+use impact_pair_answers::grid::doubles;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 

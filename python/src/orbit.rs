@@ -8,8 +8,8 @@ use impact_pair::json::{
     write_orbit,
 };
 use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind};
-use impact_pair::sweep::doubles;
 use impact_pair::watch::Watch;
+use impact_pair_answers::grid::doubles;
 use impact_pair_answers::{CSV_HEADER, RunOptions, Verb, csv_row, read_options};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;

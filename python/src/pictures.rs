@@ -1,6 +1,5 @@
 //! Pictures as the command line draws them.
 
-use anyhow::Result;
 use impact_pair::orbit::Orbit;
 use impact_pair_plot::orbit::{Caption, Figure, Panel};
 use impact_pair_plot::picture::Look;
@@ -53,9 +52,4 @@ pub fn plot(
         let (svg, ending) = figure.draw(&scene, (orbit, &settings), monitor);
         Ok((svg.map_err(Fault::other)?, ending.is_complete(), monitor.is_stopped(), ending.to_string()))
     })
-}
-
-/// A picture, or why there is none.
-pub fn drawn<T>(picture: Result<T>) -> Result<T, Fault> {
-    picture.map_err(Fault::other)
 }

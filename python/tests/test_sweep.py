@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 from multiprocessing import get_context
 
 import numpy as np
@@ -18,8 +19,7 @@ from conftest import assert_rounded_outward
 
 import impact_pair
 from impact_pair import Scene
-from impact_pair._grid import Rate, compute
-from impact_pair.sweep import Question
+from impact_pair._grid import Question, Rate, compute, question
 
 OVER = {"amplitude": ("1", "10", 40)}
 ASKED = {"transient": 50, "impacts": 20}
@@ -170,13 +170,13 @@ def test_what_is_finished_is_kept_and_gone_on_with(files, tmp_path):
 
 
 def test_the_key_is_of_scene_grid_and_question():
-    question = Question(Scene.named("figure-14").text, ("amplitude=1..10:40",), 50, 20, 6, "auto", 100_000, False)
-    other = Question(Scene.named("figure-13").text, *list(vars(question).values())[1:])
-    assert question.key() != other.key()
-    # Neither the layout of the file nor how a number is written decides.
-    again = Question(Scene.named("figure-14").text + "\n# a remark\n", *list(vars(question).values())[1:])
-    assert question.key() == again.key()
-    assert compute(question, 3, 6, question.key())[0] == compute(question, 3, 6, question.key())[0]
+    own = question(Scene.named("figure-14").text, "sweep", OVER, ASKED)
+    other = replace(own, scene=Scene.named("figure-13").text)
+    assert own.key() != other.key()
+    # Neither the layout of the file nor how a number is written decides, nor a default that is given.
+    again = question(Scene.named("figure-14").text + "\n# a remark\n", "sweep", {"A": (1, 10.0, 40)}, ASKED | {"digits": 6})
+    assert own.key() == again.key()
+    assert compute(own, 3, 6, own.key())[0] == compute(own, 3, 6, own.key())[0]
 
 
 def test_r41_a_worker_of_another_version_is_refused(monkeypatch):
@@ -254,10 +254,8 @@ def test_r35_ctrl_c_keeps_the_finished_points_of_a_sweep(is_kept, tmp_path):
     assert first[:8] == [str(point) for point in range(8)]
     if is_kept:
         over = {"amplitude": (1, 10, 10**6)}
-        core = Question(Scene.named("figure-14").text, tuple(f"{key}={a}..{b}:{n}" for key, (a, b, n) in over.items()), *ASKED.values(),
-                        6, "auto", 100_000, False)  # fmt: skip
         [journal] = tmp_path.iterdir()
-        assert journal.name == f"{core.key()}.partial"
+        assert journal.name == f"{question(Scene.named('figure-14').text, 'sweep', over, ASKED).key()}.partial"
         assert journal.read_bytes().count(b"\n") == int(points) + 1
 
 

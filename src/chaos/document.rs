@@ -144,7 +144,7 @@ fn scene_orbit(asymptotics: &Asymptotics) -> Option<SceneOrbitDocument> {
 }
 
 /// Returns a periodic orbit by its word.
-pub(crate) fn period(word: &Word, cycles: u32) -> PeriodDocument {
+pub fn period(word: &Word, cycles: u32) -> PeriodDocument {
     PeriodDocument { word: word.to_string(), impacts: word.mappings().len() as u32, cycles }
 }
 

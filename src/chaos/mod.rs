@@ -50,8 +50,7 @@ pub use blocks::Word;
 pub use box_map::{BoxImage, BoxMap, Rectangle, Unmapped};
 pub use cells::{Cells, MOST_CELLS, RangeSettings, Stretch, Verdict, seen_impacts};
 pub use cycles::{Cycle, Cycles, MOST_IMPACTS};
-pub use document::entropy;
-pub(crate) use document::period;
+pub use document::{entropy, period};
 pub(crate) use flights::Flights;
 pub use global::{
     Basin, BasinOutcome, Class, Global, GlobalSettings, Kind, LimitCycle, OpenReason, Patch, Recurrence, RestCycle,

@@ -2,16 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use impact_pair::Effort;
-use impact_pair::chaos::{GlobalSettings, MOST_DEPTH};
-use impact_pair::scene::Over;
-use impact_pair::sweep::axis;
+use clap::Args;
+use impact_pair_answers::AtlasOptions;
 use impact_pair_plot::picture::Look;
 
 use crate::destination::Destination;
-use crate::grid::GridArguments;
-use impact_pair_answers::values::{digits, whole};
+use crate::grid::{GridArguments, GridFormat};
+use crate::verb::formats;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 at every point, or for every cell, every motion is proved to end in one cycle with rests, or to tend to one \
@@ -43,31 +40,19 @@ Exit code: 0 at every point, or for every cell, every motion is proved to end in
 attractor; 1 at some points it is not, or the atlas was interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("over", |over| over.required(false).required_unless_present("merge")))]
 #[command(mut_arg("merge", |merge| merge.conflicts_with_all(FIXED_BY_SHARDS)))]
 pub struct AtlasArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
     pub scene: Option<PathBuf>,
-    /// The two parameters
-    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Over>,
-    /// Prove each answer for all parameters of a cell
-    #[arg(long)]
-    pub cells: bool,
-    /// Multiply the work for each point or cell by X: at 1 about 300,000 boxes are mapped for a point, 20,000 for a cell
-    #[arg(long, value_name = "X", default_value_t)]
-    pub effort: Effort,
-    /// Look for horseshoes in undecided components of a point, and of a smallest cell, by words of at most K impacts: some seconds each
-    #[arg(long, value_name = "K", value_parser = whole(1..=MOST_DEPTH))]
-    pub horseshoes: Option<u32>,
-    /// Requested width of periodic orbits, at most 10^-D: of phases relative to 2 pi, of velocities relative to A W
-    #[arg(long, value_name = "D", default_value_t = 9, value_parser = digits())]
-    pub digits: u32,
+    #[command(flatten)]
+    pub options: AtlasOptions,
     #[command(flatten)]
     pub grid: GridArguments,
     /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
-    #[arg(long, value_enum)]
-    pub format: Option<AtlasFormat>,
+    #[arg(long, value_parser = formats(FORMATS))]
+    pub format: Option<GridFormat>,
     /// Draw the plane in the colours of the classes, or write the page
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf|FILE.html", value_parser = drawing)]
     pub plot: Option<PathBuf>,
@@ -81,32 +66,17 @@ pub struct AtlasArguments {
 const FIXED_BY_SHARDS: [&str; 8] = ["scene", "over", "cells", "effort", "horseshoes", "digits", "shard", "resume"];
 
 /// Output formats of an atlas.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AtlasFormat {
-    /// One line per point or cell
-    Csv,
-    /// JSON Lines, schema impact-pair/atlas/1: the head, one point or tile per line, with all components
-    Jsonl,
-    /// Apache Parquet: the columns of csv (a build with --features parquet)
-    Parquet,
-    /// The picture
-    Svg,
-    /// The picture in pixels (a build with --features png)
-    Png,
-    /// The page, one file
-    Html,
-}
-
-impl AtlasArguments {
-    /// Returns the settings of the analysis of each point or cell: the usual ones, times the effort.
-    pub fn settings(&self) -> GlobalSettings {
-        let usual = if self.cells { GlobalSettings::of_cell() } else { GlobalSettings::of_point() };
-        let horseshoes = self.horseshoes.map(|depth| depth as usize);
-        let mut settings = GlobalSettings { horseshoes, ..usual }.with_effort(self.effort);
-        settings.precision.digits = self.digits;
-        settings
-    }
-}
+pub const FORMATS: &[(GridFormat, &str)] = &[
+    (GridFormat::Csv, "One line per point or cell"),
+    (
+        GridFormat::Jsonl,
+        "JSON Lines, schema impact-pair/atlas/1: the head, one point or tile per line, with all components",
+    ),
+    (GridFormat::Parquet, "Apache Parquet: the columns of csv (a build with --features parquet)"),
+    (GridFormat::Svg, "The picture"),
+    (GridFormat::Png, "The picture in pixels (a build with --features png)"),
+    (GridFormat::Html, "The page, one file"),
+];
 
 /// Reads the name of a picture or a page.
 fn drawing(text: &str) -> Result<PathBuf, String> {

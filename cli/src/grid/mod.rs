@@ -1,11 +1,11 @@
 //! The common part of `sweep` and `atlas`: points of a grid, computed by all threads or in shards, kept on disk, and written as tables.
 
+mod format;
 #[cfg(feature = "parquet")]
-pub mod parquet;
-pub mod points;
+mod parquet;
 mod shard;
-pub mod work;
+mod work;
 
-pub use points::Gathered;
+pub use format::{GridFormat, format, format_of_states, write};
 pub use shard::GridArguments;
-pub use work::{Tally, Work, answered, named, open_once};
+pub use work::{compute, merge, open_once};

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use anyhow::{Context, Error, Result};
-use impact_pair::sweep::{Cell, Head, Kind, doubles};
-use impact_pair_plot::records::Records;
+use impact_pair_answers::grid::{Cell, Head, Kind, Points, doubles, line};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
@@ -12,9 +11,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 
-use super::Gathered;
 use crate::output::Output;
-use impact_pair_answers::grid::line;
 
 /// Rows that are kept in memory and written as one group.
 const ROW_GROUP_SIZE: usize = 1 << 16;
@@ -29,28 +26,21 @@ enum Column {
     Bounds([Vec<Option<f64>>; 2]),
 }
 
-/// Rows of a record.
-type Rows<'r> = Vec<Vec<Cell<'r>>>;
-
-/// Writes a table with these columns and rows; the head, as JSON, stands in the file's metadata under `impact-pair/sweep` or
-/// `impact-pair/atlas`.
-pub fn write<H: Head>(
-    points: &mut Gathered<H>,
-    out: &mut Output,
-    columns: &[(String, Kind)],
-    rows: impl for<'r> Fn(&'r H::Record) -> Rows<'r>,
-) -> Result<()> {
-    let schema = parse_message_type(&schema(columns)).context("the columns make no schema")?;
-    let about = KeyValue::new(format!("impact-pair/{}", H::NAME), line(&points.head));
+/// Writes a table; the head, as JSON, stands in the file's metadata under `impact-pair/sweep` or `impact-pair/atlas`.
+pub fn write<H: Head>(points: &mut Points<H>, out: &mut Output, table: H::Table) -> Result<()> {
+    let head = points.head.clone();
+    let columns = head.columns(table);
+    let schema = parse_message_type(&schema(&columns)).context("the columns make no schema")?;
+    let about = KeyValue::new(format!("impact-pair/{}", H::NAME), line(&head));
     let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![about])).build();
     let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
-    let empty: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
-    let mut group = Group::new(&empty);
+    let kinds: Vec<Kind> = columns.iter().map(|(_, kind)| *kind).collect();
+    let mut group = Group::new(&kinds);
     points.each_record(|record| {
-        for row in rows(&record) {
-            group.push(&row, &empty)?;
+        for row in head.rows(table, &record) {
+            group.push(&row, &kinds)?;
             if group.rows == ROW_GROUP_SIZE {
-                std::mem::replace(&mut group, Group::new(&empty)).write(writer.next_row_group()?)?;
+                std::mem::replace(&mut group, Group::new(&kinds)).write(writer.next_row_group()?)?;
             }
         }
         Ok(())
@@ -101,9 +91,9 @@ impl Group {
                     values.push(Some(ByteArray::from(text.to_string().into_bytes())))
                 }
                 (Column::Truth(values), Cell::Truth(truth)) => values.push(Some(*truth)),
-                (Column::Bounds([lower, upper]), Cell::Bounds([low, high])) => {
-                    lower.push(Some(doubles(low)?[0]));
-                    upper.push(Some(doubles(high)?[1]));
+                (Column::Bounds([lower, upper]), Cell::Bounds(bounds)) => {
+                    lower.push(Some(doubles(&bounds[0])?[0]));
+                    upper.push(Some(doubles(&bounds[1])?[1]));
                 }
                 (Column::Bounds([lower, upper]), Cell::Exact(text)) => {
                     let [low, high] = doubles(text)?;

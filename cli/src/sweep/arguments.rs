@@ -2,15 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use impact_pair::orbit::Arithmetic;
-use impact_pair::scene::Over;
-use impact_pair::sweep::{MOST_IMPACTS, axis};
+use clap::Args;
+use impact_pair_answers::SweepOptions;
 use impact_pair_plot::picture::Look;
 use impact_pair_plot::sweep::Show;
 
 use crate::destination::Destination;
-use crate::grid::GridArguments;
+use crate::grid::{GridArguments, GridFormat};
+use crate::verb::formats;
 
 pub const EXIT_CODES: &str = "\
 Exit code: 0 everything requested is certified at every point; 1 at some points it is not, or the sweep was \
@@ -46,34 +45,14 @@ Exit code: 0 everything requested is certified at every point; 1 at some points 
 interrupted; 2 usage, bad input, I/O.";
 
 #[derive(Args, Debug)]
+#[command(mut_arg("over", |over| over.required(false).required_unless_present("merge")))]
 #[command(mut_arg("merge", |merge| merge.conflicts_with_all(FIXED_BY_SHARDS)))]
 pub struct SweepArguments {
     /// Scene file (TOML), or - for stdin
     #[arg(required_unless_present = "merge")]
     pub scene: Option<PathBuf>,
-    /// The varied key, or two of them
-    #[arg(long, value_name = "KEY=LO..HI:COUNT", value_parser = axis, required_unless_present = "merge", allow_hyphen_values = true)]
-    pub over: Vec<Over>,
-    /// Number of impacts in the transient, which are certified but not written
-    #[arg(long, value_name = "N", default_value_t = 500, value_parser = impact_pair_answers::values::count(0..=MOST_IMPACTS))]
-    pub transient: u64,
-    /// Number of impacts after the transient
-    #[arg(long, value_name = "M", default_value_t = 300, value_parser = impact_pair_answers::values::count(1..=MOST_IMPACTS))]
-    pub impacts: u64,
-    /// Requested width of enclosures, at most 10^-D: of times relative to 2 pi/W, of velocities relative to A W: finer
-    /// than any picture
-    #[arg(long, value_name = "D", default_value_t = 6, value_parser = impact_pair_answers::values::digits())]
-    pub digits: u32,
-    /// The arithmetic, as in run; shadow, the fastest for pictures of chaos, is used only at points whose exact orbits doubles do not
-    /// certify
-    #[arg(long, value_name = impact_pair_answers::values::ARITHMETICS, default_value_t)]
-    pub arithmetic: Arithmetic,
-    /// Maximum precision of auto, in bits; enough for 100,000 chaotic impacts, and low enough that no point takes minutes to end undecided
-    #[arg(long, value_name = "BITS", default_value_t = 100_000, value_parser = impact_pair_answers::values::bits())]
-    pub max_bits: u32,
-    /// Write no impacts, only the result of each point
-    #[arg(long)]
-    pub summary: bool,
+    #[command(flatten)]
+    pub options: SweepOptions,
     /// Write the impacts into a separate table, csv or parquet by the extension of FILE; the output then has one row
     /// per point, and the column point joins the two
     #[arg(long, value_name = "FILE")]
@@ -81,8 +60,8 @@ pub struct SweepArguments {
     #[command(flatten)]
     pub grid: GridArguments,
     /// Output format [default: by the extension of --output, else csv, for a shard jsonl]
-    #[arg(long, value_enum)]
-    pub format: Option<SweepFormat>,
+    #[arg(long, value_parser = formats(FORMATS))]
+    pub format: Option<GridFormat>,
     /// Draw the bifurcation diagram, or for two keys the map of outcomes; without --output and --format no table is written then
     #[arg(long, value_name = "FILE.svg|FILE.png|FILE.pdf", value_parser = impact_pair_plot::picture::path)]
     pub plot: Option<PathBuf>,
@@ -103,12 +82,11 @@ const FIXED_BY_SHARDS: [&str; 10] =
     ["scene", "over", "transient", "impacts", "digits", "arithmetic", "max_bits", "summary", "shard", "resume"];
 
 /// Output formats of the points of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SweepFormat {
-    /// One line per impact and one per point, bounds in columns
-    Csv,
-    /// JSON Lines, schema impact-pair/sweep/1: the head, one point per line
-    Jsonl,
-    /// Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)
-    Parquet,
-}
+pub const FORMATS: &[(GridFormat, &str)] = &[
+    (GridFormat::Csv, "One line per impact and one per point, bounds in columns"),
+    (GridFormat::Jsonl, "JSON Lines, schema impact-pair/sweep/1: the head, one point per line"),
+    (
+        GridFormat::Parquet,
+        "Apache Parquet: the columns of csv, bounds as doubles rounded outward (a build with --features parquet)",
+    ),
+];

@@ -1,37 +1,36 @@
 //! `impact-pair sweep SCENE --over KEY=LO..HI:COUNT`: bifurcation diagrams, exponents and basins over a grid.
 
 pub mod arguments;
-mod formats;
-mod write;
-
-use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use impact_pair::Scene;
 use impact_pair::json::SweepHead;
-use impact_pair::json::counted;
-use impact_pair::json::vocabulary::PointOutcome;
-use impact_pair::orbit::{Orbit, Settings};
-use impact_pair::sweep::{self, Grid, PointSettings, Table, follow};
-use impact_pair_plot::records::Records;
+use impact_pair_answers::grid::{Points, Survey, beside};
+use impact_pair_answers::sweep::Table;
 
 use crate::Answer;
-use crate::grid::{Gathered, Tally, Work, answered, named, open_once};
-use crate::output::{Output, note};
-use crate::progress::Interruption;
-use crate::scene::{self, ranged};
-use arguments::SweepArguments;
-use formats::Formats;
-use impact_pair_answers::grid::beside;
-use impact_pair_answers::grid::line;
-use write::write;
+use crate::grid::{self, GridFormat, compute, merge, open_once};
+use crate::output::Output;
+use crate::scene;
+use crate::verb::placed;
+use arguments::{FORMATS, SweepArguments};
 
 pub fn sweep(arguments: &SweepArguments) -> Result<Answer> {
     keep_files_apart(arguments)?;
-    match &arguments.scene {
-        Some(path) => compute(arguments, path),
-        None => merge(arguments),
-    }
+    let SweepArguments { grid, destination, states, plot, .. } = arguments;
+    let output = grid::format(arguments.format, destination, grid.shard.is_some(), FORMATS)?;
+    let formats = (output, grid::format_of_states(states.as_deref(), output)?);
+    let finish = |sweep: &mut Points<SweepHead>| finish(arguments, sweep, formats);
+    let Some(path) = &arguments.scene else {
+        let sweep = Points::<SweepHead>::merged(&grid.merge)?;
+        keep_states(arguments, output, sweep.head.summary)?;
+        return merge(sweep, destination.quiet, finish);
+    };
+    keep_states(arguments, output, arguments.options.summary)?;
+    let about = |failure| placed(failure, path);
+    let sweep = arguments.options.of(&scene::read(path)?, grid.shard()).map_err(about)?;
+    sweep.check().map_err(about)?;
+    open_once(&[&destination.output, states, plot].map(Option::as_deref))?;
+    compute(&sweep, &scene::name(path), (grid, destination), finish)
 }
 
 /// Refuses to write one file over another one.
@@ -53,112 +52,45 @@ fn keep_files_apart(arguments: &SweepArguments) -> Result<()> {
     Ok(())
 }
 
-fn compute(arguments: &SweepArguments, path: &Path) -> Result<Answer> {
-    let formats = Formats::of(arguments)?;
-    formats.keep_states(arguments, arguments.summary)?;
-    let scene: Scene = scene::read(path)?;
-    let grid = Grid::new(ranged(&arguments.over, &scene, path)?)?;
-    let SweepArguments { digits, arithmetic, max_bits, .. } = *arguments;
-    let settings = Settings { digits, arithmetic, max_bits, ..Settings::default() };
-    let SweepArguments { transient, impacts, summary, .. } = *arguments;
-    let ranges: Vec<_> = grid.axes().iter().map(|axis| (axis.key(), axis.to_string())).collect();
-    let reference = grid.reference(&scene).map_err(|error| scene::about(error, &ranges, path))?;
-    let requested = PointSettings { transient, impacts, summary, reference, settings };
-    let head = sweep::head(&scene, &grid, &requested, arguments.grid.shard());
-    // All corners of the grid are scenes, before anything is computed.
-    let is_scene =
-        |point: u64| Orbit::of(&grid.scene(&scene, &grid.values(point)?)?, requested.settings.clone()).map(drop);
-    grid.corners().into_iter().try_for_each(is_scene).map_err(|error| scene::about(error, &ranges, path))?;
-    let outputs = [&arguments.destination.output, &arguments.states, &arguments.plot].map(Option::as_deref);
-    open_once(&outputs)?;
-    let point = |point: u64| {
-        let values = grid.values(point)?;
-        let at = || named(point, &values);
-        let scene = grid.scene(&scene, &values).with_context(at)?;
-        let found = follow(&scene, &requested, &Interruption).with_context(at)?;
-        Ok(found.map(|found| line(&sweep::record(point, &values, &found))))
-    };
-    let (grid, destination) = (&arguments.grid, &arguments.destination);
-    let work = Work { head, point: &point, grid, destination };
-    work.answer(&scene::name(path), |sweep| finish(arguments, sweep, formats))
-}
-
-/// Puts the shards of a sweep together.
-fn merge(arguments: &SweepArguments) -> Result<Answer> {
-    let formats = Formats::of(arguments)?;
-    let mut sweep = Gathered::<SweepHead>::merged(&arguments.grid.merge)?;
-    formats.keep_states(arguments, sweep.head.summary)?;
-    let tally = finish(arguments, &mut sweep, formats)?;
-    note(arguments.destination.quiet, &tally.to_string());
-    Ok(answered(&tally))
+/// Refuses to write states where there are none, or no table of them.
+///
+/// # Errors
+/// Returns an error if the sweep is a shard, a summary, or written as JSON Lines, whose lines hold the states.
+fn keep_states(arguments: &SweepArguments, output: GridFormat, is_summary: bool) -> Result<()> {
+    if arguments.states.is_none() {
+        return Ok(());
+    }
+    if arguments.grid.shard.is_some() {
+        bail!("--states writes a table, but a shard is written as jsonl: ask --merge for the states");
+    }
+    if output == GridFormat::Jsonl {
+        bail!("--states writes a table, but a line of jsonl holds a point with its states: use csv or parquet");
+    }
+    if is_summary {
+        bail!("--states writes the impacts, but a sweep with --summary has none");
+    }
+    Ok(())
 }
 
 /// Writes states, output and plot.
-fn finish(arguments: &SweepArguments, sweep: &mut Gathered<SweepHead>, formats: Formats) -> Result<Outcomes> {
-    let mut tally = Outcomes::default();
-    let certified = sweep.head.certified;
-    sweep.each_record(|record| {
-        tally.add(record.outcome, record.complete);
-        Ok(())
-    })?;
-    tally.certified = certified;
+fn finish(
+    arguments: &SweepArguments,
+    sweep: &mut Points<SweepHead>,
+    (output, states): (GridFormat, GridFormat),
+) -> Result<()> {
     let mut out = Output::open(arguments.destination.output.as_deref())?;
     if let Some(path) = &arguments.states {
-        let mut states = Output::open(Some(path))?;
-        write(sweep, &mut states, formats.states, Table::States).context("cannot write the states")?;
-        states.commit()?;
+        let mut file = Output::open(Some(path))?;
+        grid::write(sweep, &mut file, states, Table::States).context("cannot write the states")?;
+        file.commit()?;
     }
     let table = if arguments.states.is_some() { Table::Points } else { Table::Mixed };
     // With a picture alone thousands of rows would run over the terminal.
     if arguments.plot.is_none() || arguments.destination.output.is_some() || arguments.format.is_some() {
-        write(sweep, &mut out, formats.output, table).context("cannot write the output")?;
+        grid::write(sweep, &mut out, output, table).context("cannot write the output")?;
     }
     out.commit()?;
-    if let Some(path) = &arguments.plot {
-        Output::open(Some(path))?.draw(
-            path,
-            &arguments.look,
-            impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look),
-        )?;
-    }
-    Ok(tally)
-}
-
-/// The numbers of points by outcome.
-#[derive(Default)]
-struct Outcomes {
-    outcomes: Vec<(PointOutcome, u64)>,
-    incomplete: u64,
-    certified: bool,
-}
-
-impl Outcomes {
-    fn add(&mut self, outcome: PointOutcome, complete: bool) {
-        match self.outcomes.iter_mut().find(|(known, _)| *known == outcome) {
-            Some((_, count)) => *count += 1,
-            None => self.outcomes.push((outcome, 1)),
-        }
-        self.incomplete += u64::from(!complete);
-    }
-}
-
-impl Tally for Outcomes {
-    fn is_complete(&self) -> bool {
-        self.incomplete == 0
-    }
-}
-
-impl std::fmt::Display for Outcomes {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let points: u64 = self.outcomes.iter().map(|(_, count)| count).sum();
-        let mut outcomes = self.outcomes.clone();
-        outcomes.sort();
-        let outcomes: Vec<String> = outcomes.iter().map(|(outcome, count)| format!("{count} {outcome}")).collect();
-        let word = match (self.certified, self.incomplete) {
-            (false, _) => "computed, not certified".to_owned(),
-            (true, 0) => "certified".to_owned(),
-            (true, some) => format!("not all certified, {some} incomplete"),
-        };
-        write!(f, "{word}: {}, {}", counted(points, "point"), outcomes.join(", "))
-    }
+    let Some(path) = &arguments.plot else { return Ok(()) };
+    let svg = impact_pair_plot::sweep::svg(sweep, arguments.show, arguments.within, &arguments.look);
+    Output::open(Some(path))?.draw(path, &arguments.look, svg)
 }

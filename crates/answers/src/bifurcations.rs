@@ -1,6 +1,7 @@
 //! `bifurcations`: folds, pitchforks, period doublings and grazes of a word's orbits over a parameter, proved.
 
 use std::fmt::Write;
+use std::slice;
 
 use anyhow::Result;
 use clap::Args;
@@ -63,7 +64,12 @@ impl Verb for BifurcationOptions {
         let over = over.of(scene.pair())?;
         let settings = DiagramSettings { over: over.clone(), doublings: *doublings, precision: precision.of(scene) };
         let diagram = survey(scene.pair(), scene.start(), (word, *cycles), &settings, watch);
-        Ok(Bifurcations { scene, word: word.clone(), cycles: *cycles, diagram: diagram.map_err(Failure::over(&over))? })
+        Ok(Bifurcations {
+            scene,
+            word: word.clone(),
+            cycles: *cycles,
+            diagram: diagram.map_err(Failure::over(slice::from_ref(&over)))?,
+        })
     }
 }
 

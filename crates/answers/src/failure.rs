@@ -47,13 +47,16 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// The error of a computation over a range: of the range where the error names its key, else of the scene.
-    pub fn over(range: &Range) -> impl Fn(Error) -> Self {
-        move |error| match error.key() {
-            Some(key) if key.starts_with(&range.key().place()) => {
-                Self::Option { option: "over".to_owned(), value: range.to_string(), error: Box::new(error) }
+    /// The error of a computation over ranges: of the range whose key the error names, else of the scene.
+    pub fn over(ranges: &[Range]) -> impl Fn(Error) -> Self {
+        move |error| {
+            let is_own = |range: &&Range| error.key().is_some_and(|key| key.starts_with(&range.key().place()));
+            match ranges.iter().find(is_own) {
+                Some(range) => {
+                    Self::Option { option: "over".to_owned(), value: range.to_string(), error: Box::new(error) }
+                }
+                None => Self::Scene(error),
             }
-            _ => Self::Scene(error),
         }
     }
 

@@ -20,6 +20,7 @@
 //! # Ok::<(), impact_pair_answers::Failure>(())
 //! ```
 
+pub mod atlas;
 mod audit;
 mod bifurcations;
 mod chaos;
@@ -39,7 +40,11 @@ mod run;
 #[cfg(test)]
 mod scenes;
 mod status;
+pub mod sweep;
 mod tangency;
+#[cfg(test)]
+#[path = "../../../tests/tolerances/mod.rs"]
+mod tolerances;
 pub mod trade;
 mod trap;
 mod two_impact;
@@ -51,6 +56,7 @@ use clap::ValueEnum;
 use impact_pair::Scene;
 use impact_pair::watch::Watch;
 
+pub use atlas::AtlasOptions;
 pub use audit::AuditOptions;
 pub use bifurcations::BifurcationOptions;
 pub use chaos::ChaosOptions;
@@ -65,6 +71,7 @@ pub use picture::Picture;
 pub use question::Question;
 pub use run::{CSV_HEADER, Listing, RunOptions, csv_row};
 pub use status::{Status, Step};
+pub use sweep::SweepOptions;
 pub use tangency::TangencyOptions;
 pub use trade::TradeOptions;
 pub use trap::TrapOptions;

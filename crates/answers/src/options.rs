@@ -72,6 +72,13 @@ pub fn read_options<O: Args>(verb: &'static str, options: &Options) -> Result<O,
                 let accepted = if is_switch { "accepted is true or false" } else { "accepted is a number or a text" };
                 return Err(refused(name, written.get(), accepted));
             }
+            Value::Array(_) if matches!(argument.get_action(), ArgAction::Append) => {
+                let each: Vec<Box<RawValue>> = serde_json::from_str(written.get()).map_err(Failure::malformed)?;
+                for one in each {
+                    let value: Value = serde_json::from_str(one.get()).map_err(Failure::malformed)?;
+                    words.push(format!("--{name}={}", value.as_str().unwrap_or(one.get())));
+                }
+            }
             _ if argument.is_positional() => positional.push(typed.to_owned()),
             _ => words.push(format!("--{name}={typed}")),
         }

@@ -1,6 +1,7 @@
 //! `tangency`: homoclinic tangencies of the equispaced motion over a parameter, proved.
 
 use std::fmt::{self, Write};
+use std::slice;
 
 use anyhow::Result;
 use clap::Args;
@@ -93,7 +94,7 @@ impl Verb for TangencyOptions {
             effort: self.effort,
             precision: self.precision.of(scene),
         };
-        let found = Tangencies::of(scene, &settings, watch).map_err(Failure::over(&settings.over))?;
+        let found = Tangencies::of(scene, &settings, watch).map_err(Failure::over(slice::from_ref(&settings.over)))?;
         Ok(HomoclinicTangencies { scene, found })
     }
 }

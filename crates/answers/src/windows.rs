@@ -1,6 +1,7 @@
 //! `windows`: stable periodic orbits near a scene and the windows in which they are stable, proved.
 
 use std::fmt::{self, Write};
+use std::slice;
 
 use anyhow::Result;
 use clap::Args;
@@ -70,7 +71,7 @@ impl Verb for WindowsOptions {
             most: self.most as usize,
             precision: self.precision.of(scene),
         };
-        let found = Windows::of(scene, &settings, watch).map_err(Failure::over(&settings.over))?;
+        let found = Windows::of(scene, &settings, watch).map_err(Failure::over(slice::from_ref(&settings.over)))?;
         Ok(StableWindows { document: found.document(scene, &settings)?, scene, found })
     }
 }

@@ -33,7 +33,6 @@ pub mod global;
 pub mod orbit;
 pub mod picture;
 pub mod proved;
-pub mod records;
 pub mod sweep;
 pub mod tangency;
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 mod table;
 
+use std::slice;
+
 use anyhow::Result;
 use clap::{Args, ValueHint};
 use impact_pair::chaos::{
@@ -147,7 +149,7 @@ impl Verb for ChaosOptions {
         let depth = self.depth.unwrap_or(DEFAULT_DEPTH) as usize;
         let requested = RangeSettings { over, cells, halvings, depth };
         let found = Cells::of(scene.pair(), scene.start(), &requested, watch);
-        let found = found.map_err(Failure::over(&requested.over))?;
+        let found = found.map_err(Failure::over(slice::from_ref(&requested.over)))?;
         Ok(Chaotic::Cells { document: found.document(scene, &requested), scene, requested, found })
     }
 }
@@ -168,7 +170,7 @@ impl ChaosOptions {
     ) -> Result<Chaotic<'s>, Failure> {
         let over = range.as_ref();
         let about = |error: Error| match over {
-            Some(over) => Failure::over(over)(error),
+            Some(over) => Failure::over(slice::from_ref(over))(error),
             None => Failure::Scene(error),
         };
         let question = HorseshoeSettings { depth: self.depth.map(|depth| depth as usize), bases, effort: self.effort };

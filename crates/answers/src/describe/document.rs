@@ -6,10 +6,10 @@ use impact_pair::json::{
 };
 
 use super::Description;
+use crate::sweep::{exponent, limit};
 use impact_pair::chaos::{Trap, Word as Block, entropy};
 use impact_pair::mapping::Word;
 use impact_pair::orbit::Period;
-use impact_pair::sweep::{exponent, limit};
 use impact_pair::{Error, Scene};
 
 /// Events up to which the orbit is part of the document.

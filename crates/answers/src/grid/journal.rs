@@ -10,8 +10,8 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use impact_pair::sweep::{Head, Line};
 
+use super::head::{Head, Line};
 use super::record::{is_of_grid, line, own, read_head};
 
 /// Bytes before the text of a line: its CRC-32 in hexadecimal digits, and a blank.

@@ -1,9 +1,20 @@
 //! Points of a grid, kept on disk as they are finished: what sweeps and atlases have in common, in the command line and in Python.
 
+mod axes;
+mod columns;
+mod head;
 mod journal;
+mod points;
 mod record;
 mod schedule;
+mod survey;
 
-pub use journal::{Journal, beside, difference};
-pub use record::{line, own};
-pub use schedule::{Task, complete};
+pub use axes::{Grid, MOST_POINTS, axis};
+pub(crate) use axes::{axes, written};
+pub use columns::{Cell, Kind, doubles};
+pub use head::{Head, Line};
+pub use journal::beside;
+pub use points::{Points, Tally};
+pub use record::line;
+pub use schedule::complete;
+pub use survey::Survey;

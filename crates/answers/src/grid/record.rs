@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use anyhow::{Result, bail};
 use impact_pair::exact::Exact;
-use impact_pair::sweep::{Head, Line};
 use serde::Serialize;
+
+use super::head::{Head, Line};
 
 /// Reads the first line of what this program has written, and the grid that it tells of.
 pub fn read_head<H: Head>(line: &str) -> Result<(H, H::Grid)> {

@@ -8,8 +8,8 @@ use impact_pair::scene::Range;
 use plotters::style::RGBColor;
 
 use crate::picture::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
-use crate::records::Records;
 use crate::sweep::value;
+use impact_pair_answers::grid::{Head, Points};
 
 /// The classes, with their colours and words, the strongest first. If none of the first three is proved, a stable periodic orbit
 /// for all parameters of a cell, or a horseshoe, takes precedence.
@@ -48,12 +48,10 @@ impl Leaves {
     ///
     /// # Errors
     /// Returns an error if the atlas cannot be read, or has an unknown class.
-    pub fn of(atlas: &mut impl Records<Head = AtlasHead>) -> Result<Self> {
-        use impact_pair::sweep::Head;
-
-        let head = atlas.head().clone();
+    pub fn of(atlas: &mut Points<AtlasHead>) -> Result<Self> {
+        let head = atlas.head.clone();
         let plane = head.grid()?;
-        let axes = plane.axes().map(Clone::clone);
+        let axes = [0, 1].map(|axis| plane.axes()[axis].clone());
         let half = axes.each_ref().map(|axis| {
             let steps = (axis.points() - 1) as f64;
             if head.cells { 0.0 } else { 0.5 * (value(axis.high()) - value(axis.low())) / steps }

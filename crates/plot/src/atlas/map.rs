@@ -13,8 +13,8 @@ use plotters::style::text_anchor::HPos;
 use super::curves::{self, Bifurcation, Parameters};
 use super::leaves::{CLASSES, Leaves};
 use crate::picture::{self, Axis, Canvas, Element, FONT, Look, Mark, Plane, SCALE, hex, words};
-use crate::records::Records;
 use crate::sweep::{Cells, described};
+use impact_pair_answers::grid::Points;
 
 /// Size of the picture, in pixels.
 pub const SIZE: (u32, u32) = (960, 720);
@@ -29,9 +29,9 @@ const HALO_WIDTH: i32 = 4 * SCALE;
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
-pub fn svg(atlas: &mut impl Records<Head = AtlasHead>, look: &Look) -> Result<String> {
+pub fn svg(atlas: &mut Points<AtlasHead>, look: &Look) -> Result<String> {
     let leaves = Leaves::of(atlas)?;
-    Ok(drawn(atlas.head(), &leaves, look)?.0)
+    Ok(drawn(&atlas.head, &leaves, look)?.0)
 }
 
 /// The picture, and the place of the plane in it: left, top, right and bottom, relative to its size.

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::leaves::{CLASSES, Leaf, Leaves};
 use super::map::{SIZE, drawn};
 use crate::picture::{Look, Theme, hex, program};
-use crate::records::Records;
+use impact_pair_answers::grid::Points;
 
 /// The page without its data; `{{NAME}}` is a placeholder.
 const PAGE: &str = include_str!("page.html");
@@ -19,9 +19,9 @@ const PAGE: &str = include_str!("page.html");
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the atlas cannot be read.
-pub fn html(atlas: &mut impl Records<Head = AtlasHead>) -> Result<String> {
+pub fn html(atlas: &mut Points<AtlasHead>) -> Result<String> {
     let leaves = Leaves::of(atlas)?;
-    let head = atlas.head();
+    let head = &atlas.head;
     let look = |theme: Theme| Look { theme, ..Look::default() };
     let (svg, place) = drawn(head, &leaves, &Look::default())?;
     let [light, dark] = [Theme::Light, Theme::Dark].map(|theme| look(theme).of(&svg));

@@ -9,9 +9,9 @@ use super::Show;
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
 use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Look, Mark, SCALE, VERMILION};
-use crate::records::Records;
 use impact_pair::json::{SweepHead, SweepImpact, SweepRecord};
 use impact_pair::scene::Range;
+use impact_pair_answers::grid::Points;
 
 /// The smallest cell: less than a pixel of most screens.
 const MIN_CELL: i32 = 3;
@@ -65,13 +65,13 @@ type Columns = BTreeMap<i32, Vec<i32>>;
 
 /// Draws axes and text, and returns the data as SVG.
 pub fn draw(
-    sweep: &mut impl Records<Head = SweepHead>,
+    sweep: &mut Points<SweepHead>,
     axis: &Range,
     (show, within): (Show, Option<[f64; 2]>),
     (root, look): (&Canvas<'_>, &Look),
 ) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
-    let top = legend::caption(sweep.head(), (root, look))?;
+    let top = legend::caption(&sweep.head, (root, look))?;
     let entries: Vec<(Mark, String)> =
         present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
     let lines = picture::legend(root, top, &entries)?;
@@ -118,7 +118,7 @@ pub fn draw(
 }
 
 /// The classes that occur, and the greatest speed.
-fn survey(sweep: &mut impl Records<Head = SweepHead>) -> Drawn<(Vec<Class>, f64)> {
+fn survey(sweep: &mut Points<SweepHead>) -> Drawn<(Vec<Class>, f64)> {
     let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
     sweep.each_record(|record| {
         present.push(Class::of(&record));

@@ -5,11 +5,11 @@ use impact_pair::json::SweepHead;
 use impact_pair::json::vocabulary::PointOutcome;
 use impact_pair::pair::Wall;
 use impact_pair::scene::Key;
-use impact_pair::sweep::{self, Kinds, PointKind};
+use impact_pair_answers::grid::{Head, Points};
+use impact_pair_answers::sweep::{Kinds, PointKind};
 use plotters::prelude::*;
 
 use crate::picture::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, YELLOW};
-use crate::records::Records;
 
 /// Colours of the attractors with the most points.
 const COLOURS: [RGBColor; 5] = [BLUE, ORANGE, GREEN, PURPLE, SKY];
@@ -34,11 +34,11 @@ impl Outcomes {
     ///
     /// # Errors
     /// Returns an error if the sweep cannot be read.
-    pub fn of(sweep: &mut impl Records<Head = SweepHead>, by_word: bool) -> Result<Self> {
-        let grid = sweep::grid(sweep.head())?;
+    pub fn of(sweep: &mut Points<SweepHead>, by_word: bool) -> Result<Self> {
+        let grid = sweep.head.grid()?;
         let keys: Vec<Key> = grid.axes().iter().map(|axis| axis.key()).collect();
         let is_one_pair = keys.iter().all(|key| *key >= Key::StartTime);
-        let starts_left = sweep.head().scene.start.wall == Some(Wall::Left);
+        let starts_left = sweep.head.scene.start.wall == Some(Wall::Left);
         let is_of_starts = keys == [Key::StartPhase, Key::StartVelocity] && starts_left;
         let mut kinds = Kinds::new(is_one_pair && !by_word);
         let mut points = vec![None; usize::try_from(grid.points())?];

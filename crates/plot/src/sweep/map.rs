@@ -6,14 +6,13 @@ use std::fmt::Write;
 
 use impact_pair::json::SweepHead;
 use impact_pair::scene::{Key, Range};
-use impact_pair::sweep::Grid;
+use impact_pair_answers::grid::{Grid, Points};
 use plotters::prelude::*;
 
 use super::kind::{Outcomes, UNDECIDED_COLOUR};
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, value};
 use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
-use crate::records::Records;
 
 /// Radius of the ring around an attractor.
 const RING_RADIUS: i32 = 6 * SCALE;
@@ -21,14 +20,10 @@ const RING_RADIUS: i32 = 6 * SCALE;
 const RING_NAME: &str = "an attractor, where it hits the left wall";
 
 /// Draws axes and text, and returns the data as SVG.
-pub fn draw(
-    sweep: &mut impl Records<Head = SweepHead>,
-    grid: &Grid,
-    (root, look): (&Canvas<'_>, &Look),
-) -> Drawn<String> {
+pub fn draw(sweep: &mut Points<SweepHead>, grid: &Grid, (root, look): (&Canvas<'_>, &Look)) -> Drawn<String> {
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
     let outcomes = Outcomes::of(sweep, false)?;
-    let top = legend::caption(sweep.head(), (root, look))?;
+    let top = legend::caption(&sweep.head, (root, look))?;
     let legend = outcomes.legend().into_iter().map(|(colour, name)| (Mark::Cell(colour), name));
     let rings = outcomes.rings();
     let ring_entry = (!rings.is_empty()).then(|| (Mark::Ring, RING_NAME.to_owned()));

@@ -13,7 +13,7 @@ use std::error::Error as StdError;
 use anyhow::Result;
 use impact_pair::exact::Exact;
 use impact_pair::json::{ExtendedBounds, SweepHead};
-use impact_pair::sweep;
+use impact_pair_answers::grid::{Head, Points};
 use plotters::coord::ranged1d::Ranged;
 use plotters::prelude::*;
 
@@ -21,7 +21,6 @@ pub(crate) use self::cells::Cells;
 pub use self::kind::Outcomes;
 pub(crate) use self::legend::described;
 use crate::picture::{self, Axis, Canvas, Element, FONT, Look, SCALE};
-use crate::records::Records;
 
 /// Size of the picture, in pixels.
 const SIZE: (u32, u32) = (960, 680);
@@ -43,13 +42,8 @@ pub enum Show {
 ///
 /// # Errors
 /// Returns an error if the picture cannot be drawn, or the sweep cannot be read.
-pub fn svg(
-    sweep: &mut impl Records<Head = SweepHead>,
-    show: Show,
-    within: Option<[f64; 2]>,
-    look: &Look,
-) -> Result<String> {
-    let grid = sweep::grid(sweep.head())?;
+pub fn svg(sweep: &mut Points<SweepHead>, show: Show, within: Option<[f64; 2]>, look: &Look) -> Result<String> {
+    let grid = sweep.head.grid()?;
     picture::svg(look.size(SIZE), SCALE, |root| {
         let data = match grid.axes() {
             [x] => diagram::draw(sweep, x, (show, within), (root, look))?,

@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use impact_pair::atlas::{self, Plane};
 use impact_pair::audit::{self, Audit, Columns};
 use impact_pair::chaos::{
     self, BoxGraph, Chaos, Cycles, Global, GlobalSettings, HSet, Hyperbolic, Trap, WallWords, WindowSettings, Windows,
@@ -15,12 +14,14 @@ use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::pair::Wall;
 use impact_pair::periodic::bifurcation::{DiagramSettings, survey};
 use impact_pair::periodic::{Budget, Precision, Problem};
-use impact_pair::sweep::{self, Grid};
 use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Effort, Error, Scene, two_impact};
+use impact_pair_answers::atlas::{Atlas, Plane};
 use impact_pair_answers::describe::{Request, describe};
+use impact_pair_answers::grid::{Grid, Survey};
+use impact_pair_answers::sweep::{PointSettings, Sweep};
 use impact_pair_truth::float;
 use serde_json::{Value, json};
 
@@ -64,7 +65,7 @@ pub enum Answer {
         head: Value,
         records: Vec<Value>,
         points: Vec<Scene>,
-        requested: Box<sweep::PointSettings>,
+        requested: Box<PointSettings>,
     },
     /// A periodic JSON; whether all were requested.
     Periodic(Value),
@@ -224,17 +225,15 @@ impl Case {
         let settings = Settings { impacts: None, digits, splice: 0, ..self.settings(arithmetic) };
         let impacts = 1 + self.random.below(5);
         let (transient, reference) = (self.random.below(3), grid.reference(&self.scene)?);
-        let requested = sweep::PointSettings { transient, impacts, summary: false, reference, settings };
+        let requested = PointSettings { transient, impacts, summary: false, reference, settings };
         let (mut records, mut points) = (Vec::new(), Vec::new());
+        let sweep = Sweep::new(&self.scene, grid.clone(), requested.clone(), None);
         for point in 0..grid.points() {
             let values = grid.values(point)?;
-            let scene = self.scene.with(&values)?;
-            let found = sweep::follow(&scene, &requested, &Unwatched)?.expect("nobody stops it");
-            records.push(json!(sweep::record(point, &values, &found)));
-            points.push(scene);
+            records.push(json!(sweep.record(point, &values, &Unwatched)?.expect("nobody stops it")));
+            points.push(self.scene.with(&values)?);
         }
-        let head = json!(sweep::head(&self.scene, &grid, &requested, None));
-        Ok(Answer::Sweep { head, records, points, requested: Box::new(requested) })
+        Ok(Answer::Sweep { head: json!(sweep.head()), records, points, requested: Box::new(requested) })
     }
 
     /// A word and its cycles: whole common periods.
@@ -378,12 +377,13 @@ impl Case {
             ..GlobalSettings::default()
         };
         let (mut records, mut points) = (Vec::new(), Vec::new());
+        let atlas = Atlas::new(&self.scene, plane.clone(), settings, None);
         for point in 0..plane.points() {
-            let found = atlas::record(&self.scene, &plane, &settings, point, &Unwatched)?.expect("nobody stops it");
-            records.push(json!(found));
-            points.push(self.scene.with(&plane.values(point)?)?);
+            let values = plane.values(point)?;
+            records.push(json!(atlas.record(point, &values, &Unwatched)?.expect("nobody stops it")));
+            points.push(self.scene.with(&values)?);
         }
-        Ok(Answer::Atlas { head: json!(atlas::head(&self.scene, &plane, &settings, None)), records, points })
+        Ok(Answer::Atlas { head: json!(atlas.head()), records, points })
     }
 
     /// Asks for tangencies about the scene's own gap or restitution, along few flights.

@@ -1,7 +1,8 @@
 //! A sweep: each point against the run of its own scene, which the true motion judges.
 
+use impact_pair::Scene;
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
-use impact_pair::{Scene, sweep};
+use impact_pair_answers::sweep::PointSettings;
 use impact_pair_truth::{Tone, float};
 use rug::float::Constant;
 use serde_json::Value;
@@ -57,7 +58,7 @@ fn compared(record: &Value, run: &Value, tones: &[Tone]) -> Compared<Units> {
 }
 
 /// The run of a point's own scene; `None` where another orbit may have been listed: one near the start.
-fn own(record: &Value, scene: &Scene, requested: &sweep::PointSettings) -> Compared<Option<Value>> {
+fn own(record: &Value, scene: &Scene, requested: &PointSettings) -> Compared<Option<Value>> {
     // Orbits that are not shadowed are certified from the exact start, to the digits.
     let is_shadow = requested.settings.arithmetic == Arithmetic::Shadow;
     // In the bits that it took: in more a graze may be distinguished from an impact, which has a number.
@@ -89,12 +90,7 @@ fn own(record: &Value, scene: &Scene, requested: &sweep::PointSettings) -> Compa
 }
 
 /// All points of a sweep; their phases must be those of one harmonic.
-pub fn judge(
-    records: &[Value],
-    points: &[Scene],
-    requested: &sweep::PointSettings,
-    random: &mut Random,
-) -> Compared<()> {
+pub fn judge(records: &[Value], points: &[Scene], requested: &PointSettings, random: &mut Random) -> Compared<()> {
     let (mut common, mut open): (Option<Units>, _) = (None, None);
     for (record, scene) in records.iter().zip(points) {
         if record["outcome"] == "undecided" && record["impacts"] == 0 {

@@ -1,4 +1,4 @@
-//! The unit of a sweep: the cycles of one term of the excitation, at all its points.
+//! The cycles of one term of the excitation as the unit of several orbits, such as those of a sweep.
 //!
 //! An orbit is given in periods of the fastest harmonic that moves the box. Over the amplitude of a term from 0, or over a frequency, this is not
 //! the same term at all points. `W`, `tau` belong to the point's own fastest harmonic, `W'`, `tau'` to the sweep's reference, and `r = W'/W`.
@@ -28,9 +28,9 @@ pub struct Lasting {
     pub time: Option<Enclosure>,
 }
 
-/// The unit at a point.
+/// The unit of phases and cycles of an orbit: the cycles of one term of the excitation, whichever term is the fastest.
 #[derive(Clone, Debug)]
-pub(super) struct Unit {
+pub struct Reference {
     /// `2 pi/W` of the point's own fastest harmonic.
     period: Exact,
     /// `None` where the point's own fastest harmonic is the reference.
@@ -51,8 +51,11 @@ struct Other {
     common: Option<u32>,
 }
 
-impl Unit {
-    /// Unit of a pair whose reference is the term `reference`, from 0; for `None` its own fastest harmonic.
+impl Reference {
+    /// The unit of a pair that the term with this number gives, from 0; for `None` its own fastest harmonic.
+    ///
+    /// # Errors
+    /// If the ratio of two frequencies is too large for a flight.
     pub fn of(pair: &ImpactPair, reference: Option<usize>) -> Result<Self, Error> {
         let excitation = pair.excitation();
         let own = excitation.reference();

@@ -2,19 +2,17 @@
 
 use std::ops::ControlFlow;
 
-use impact_pair_document::SweepImpact;
+use impact_pair::json::SweepImpact;
 
-use crate::Error;
-use crate::exact::Enclosure;
-use crate::lyapunov::{Disturbance, Exponent, Passed};
-use crate::number::Ball;
-use crate::orbit::{Arithmetic, Orbit, Outcome, Settings, Shadowing};
-use crate::orbit::{Conclusion, Event};
-use crate::scene::Scene;
-use crate::watch::Watch;
+use impact_pair::Error;
+use impact_pair::Scene;
+use impact_pair::exact::Enclosure;
+use impact_pair::lyapunov::{Disturbance, Exponent, Passed};
+use impact_pair::number::Ball;
+use impact_pair::orbit::{Arithmetic, Conclusion, Event, Lasting, Orbit, Outcome, Reference, Settings, Shadowing};
+use impact_pair::watch::Watch;
 
 use super::attraction::{Attraction, attraction};
-use super::unit::{Lasting, Unit};
 use super::window::Window;
 
 /// Greatest number of impacts at a point.
@@ -29,7 +27,7 @@ pub struct PointSettings {
     pub impacts: u64,
     /// True if the impacts are not listed, only their summary.
     pub summary: bool,
-    /// Number, from 0, of the term whose cycles are the unit, from [`Grid::reference`](super::Grid::reference); `None` for the fastest term that
+    /// Number, from 0, of the term whose cycles are the unit, from [`Grid::reference`](crate::grid::Grid::reference); `None` for the fastest term that
     /// moves the box.
     pub reference: Option<usize>,
     /// Digits and arithmetic; the orbit stops after the sum of `transient` and `impacts`.
@@ -100,7 +98,7 @@ fn follow_in(
     let impacts = Some(requested.transient.saturating_add(requested.impacts));
     let settings = Settings { impacts, until: None, arithmetic, attractor: true, ..requested.settings.clone() };
     let mut orbit = Orbit::of(scene, settings)?;
-    let unit = Unit::of(scene.pair(), requested.reference)?;
+    let unit = Reference::of(scene.pair(), requested.reference)?;
     let mut window = Window::new(&orbit, (requested.transient, requested.summary), &unit);
     let mut last = None;
     let _ = orbit.follow(watch, |orbit, event| {
@@ -138,12 +136,13 @@ fn follow_in(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pair::Wall;
-    use crate::scene::Key;
-    use crate::tests::{scene, scene_of};
+    use crate::scenes::{scene, scene_of};
+    use crate::sweep::document::record;
     use crate::tolerances::TRANSIENT;
-    use crate::watch::{Stage, Unwatched};
     use approx::assert_abs_diff_eq;
+    use impact_pair::pair::Wall;
+    use impact_pair::scene::Key;
+    use impact_pair::watch::{Stage, Unwatched};
 
     fn point(scene: &Scene, transient: u64, impacts: u64) -> Point {
         let requested = PointSettings {
@@ -163,7 +162,7 @@ mod tests {
             let line = |summary| {
                 let settings = Settings { digits: 6, ..Settings::default() };
                 let requested = PointSettings { transient: 5, impacts: 40, summary, reference: None, settings };
-                crate::sweep::record(0, &values, &follow(&scene, &requested, &Unwatched).unwrap().unwrap())
+                record(0, &values, &follow(&scene, &requested, &Unwatched).unwrap().unwrap())
             };
             let (short, mut full) = (line(true), line(false));
             assert_eq!((short.states.len(), full.states.len()), (0, 40));
@@ -181,7 +180,7 @@ mod tests {
         assert_eq!(first.wall, Wall::Left);
         // The message names the same word, wherever the last impact is.
         for impacts in [10, 11] {
-            let record = crate::sweep::record(0, &[], &self::point(&scene("figure-12"), 100, impacts));
+            let record = record(0, &[], &self::point(&scene("figure-12"), 100, impacts));
             assert!(record.message.contains("(P1 P2)") && record.period.unwrap().word.unwrap() == "P1 P2");
         }
         assert_eq!(point.states.iter().map(|state| state.index).collect::<Vec<_>>(), (101..=110).collect::<Vec<_>>());

@@ -1,22 +1,23 @@
 //! The sweep JSON Lines: what is certified at a point.
 
-use impact_pair_document::{
+use impact_pair::json::{
     ArithmeticDocument, Between, ClaimName, ExtendedBounds, OutcomeDocument, PROGRAM, SWEEP_SCHEMA, SceneDocument,
-    SweepAxis, SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
+    SweepExponent, SweepHead, SweepImpact, SweepPeriod, SweepRecord,
 };
 
-use super::grid::{ACCEPTED_FORM, is_axis};
-use super::{Grid, Point, PointSettings};
-use crate::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
-use crate::lyapunov::Exponent;
-use crate::number::Ball;
-use crate::orbit::{Arithmetic, Outcome, Period};
-use crate::scene::{Key, Range};
-use crate::{Error, Scene};
-use impact_pair_model::vocabulary::PointOutcome;
+use impact_pair::Scene;
+use impact_pair::exact::{Enclosure, Exact, decimal_bounds, decimal_bounds_f64};
+use impact_pair::json::vocabulary::PointOutcome;
+use impact_pair::lyapunov::Exponent;
+use impact_pair::number::Ball;
+use impact_pair::orbit::{Arithmetic, Outcome, Period};
+use impact_pair::scene::Key;
+
+use super::{Point, PointSettings};
+use crate::grid::{Grid, written};
 
 /// Head of a sweep: its scene, grid and settings; a shard is given by its number and the number of shards.
-pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
+pub(super) fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option<[u64; 2]>) -> SweepHead {
     SweepHead {
         schema: SWEEP_SCHEMA.to_owned(),
         program: PROGRAM.to_owned(),
@@ -36,38 +37,8 @@ pub fn head(scene: &Scene, grid: &Grid, requested: &PointSettings, shard: Option
     }
 }
 
-/// An axis in the form of heads.
-pub(crate) fn written(axis: &Range) -> SweepAxis {
-    SweepAxis { key: axis.key().to_string(), from: axis.low().text(), to: axis.high().text(), count: axis.points() }
-}
-
-/// Axes of a head.
-///
-/// # Errors
-/// If one of the written axes is not valid.
-pub(crate) fn axes(written: &[SweepAxis]) -> Result<Vec<Range>, Error> {
-    let axis_of = |over: &SweepAxis| {
-        let text = format!("{}={}..{}:{}", over.key, over.from, over.to, over.count);
-        Range::parse(&text, ACCEPTED_FORM, is_axis)
-    };
-    written.iter().map(axis_of).collect()
-}
-
-/// Grid of a head.
-///
-/// # Errors
-/// If the head has no valid grid, or its number of points is not that of the grid.
-pub fn grid(head: &SweepHead) -> Result<Grid, Error> {
-    let grid = Grid::new(axes(&head.over)?)?;
-    if grid.points() != head.points {
-        let message = format!("points is {}, but the grid has {}", head.points, grid.points());
-        return Err(Error::out_of_range(None, message));
-    }
-    Ok(grid)
-}
-
 /// Record of the certified results at the point of this number and these values.
-pub fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
+pub(super) fn record(number: u64, values: &[(Key, Exact)], point: &Point) -> SweepRecord {
     // Chaos is never claimed: of a motion that is not proved to be attracted only the limit is undecided.
     let outcome = PointOutcome::of(point.outcome.kind());
     let lasting = point.lasting.clone().unwrap_or_default();
@@ -145,7 +116,7 @@ fn of_ball(ball: Ball) -> ExtendedBounds {
 }
 
 /// Bounds of an exponent in the limit; an upper bound alone has some ten digits.
-pub fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
+pub(crate) fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
     if low.is_finite() || !high.is_finite() {
         return Between::computed(decimal_bounds_f64(low, high));
     }
@@ -155,7 +126,7 @@ pub fn limit([low, high]: [f64; 2]) -> ExtendedBounds {
 }
 
 /// Bounds of an exponent per impact and per forcing period, or the reason why there are none.
-pub fn exponent(exponent: Exponent) -> SweepExponent {
+pub(crate) fn exponent(exponent: Exponent) -> SweepExponent {
     let rest = || Some(Between::computed(["-inf".to_owned(), "-inf".to_owned()]));
     match exponent {
         Exponent::Finite { per_impact, per_cycle } => {

@@ -3,9 +3,11 @@
 use impact_pair::Scene;
 use impact_pair::exact::Exact;
 use impact_pair::orbit::{Orbit, Settings};
-use impact_pair::sweep::{self, Grid, PointSettings};
 use impact_pair::watch::Unwatched;
 use serde_json::{Value, json};
+
+use super::{PointSettings, Sweep};
+use crate::grid::{Grid, Survey};
 
 /// The lines of a sweep: impacts 4 to 8 of each point.
 fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
@@ -14,13 +16,10 @@ fn sweep(scene: &str, over: &[&str]) -> Vec<Value> {
     let settings = Settings { digits: 6, ..Settings::default() };
     let reference = grid.reference(&scene).unwrap();
     let requested = PointSettings { transient: 3, impacts: 5, summary: false, reference, settings };
-    let mut lines = vec![json!(sweep::head(&scene, &grid, &requested, None))];
-    for number in 0..grid.points() {
-        let values = grid.values(number).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &requested, &Unwatched).unwrap().unwrap();
-        lines.push(json!(sweep::record(number, &values, &point)));
-    }
-    lines
+    let points = 0..grid.points();
+    let sweep = Sweep::new(&scene, grid, requested, None);
+    let line = |point| serde_json::from_str(&sweep.line(point, &Unwatched).unwrap().unwrap()).unwrap();
+    std::iter::once(json!(sweep.head())).chain(points.map(line)).collect()
 }
 
 const TWO_TERMS: &str = r#"
@@ -108,9 +107,8 @@ fn r32_a_period_that_is_no_whole_number_of_cycles_is_given_as_a_time() {
         let reference = grid.reference(&scene).unwrap();
         let settings = Settings { digits: 6, ..Settings::default() };
         let requested = PointSettings { transient: 60, impacts: 40, summary: true, reference, settings };
-        let values = grid.values(0).unwrap();
-        let point = sweep::follow(&grid.scene(&scene, &values).unwrap(), &requested, &Unwatched).unwrap().unwrap();
-        json!(sweep::record(0, &values, &point))["period"].clone()
+        let line = Sweep::new(&scene, grid, requested, None).line(0, &Unwatched).unwrap().unwrap();
+        serde_json::from_str::<Value>(&line).unwrap()["period"].clone()
     };
     let whole = period("2*pi");
     assert!(whole["cycles"] == 2 && whole["duration"].is_null() && whole["first"].is_object(), "{whole}");

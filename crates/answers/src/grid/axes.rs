@@ -1,8 +1,10 @@
 //! The points of a sweep: exact values of one or two keys of a scene.
 
-use crate::Error;
-use crate::exact::Exact;
-use crate::scene::{Key, Over, Range, Scene};
+use impact_pair::Error;
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::json::SweepAxis;
+use impact_pair::scene::{Key, Over, Range};
 
 /// Greatest number of points of a grid.
 pub const MOST_POINTS: u64 = 100_000_000;
@@ -13,18 +15,18 @@ pub const MOST_POINTS: u64 = 100_000_000;
 /// If the text is no range with a number of values, 2 or more.
 ///
 /// ```
-/// let axis = impact_pair::sweep::axis("amplitude=0..1:4")?;
+/// let axis = impact_pair_answers::grid::axis("amplitude=0..1:4")?;
 /// assert_eq!(axis.to_string(), "amplitude=0..1:4");
-/// assert!(impact_pair::sweep::axis("amplitude=0..1").is_err());
+/// assert!(impact_pair_answers::grid::axis("amplitude=0..1").is_err());
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
 pub fn axis(text: &str) -> Result<Over, Error> {
     Over::parse(text, ACCEPTED_FORM, is_axis)
 }
 
-pub(super) const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
+const ACCEPTED_FORM: &str = "KEY=LO..HI:COUNT with single numbers LO < HI and COUNT from 2 on";
 
-pub(super) fn is_axis(range: &Range) -> bool {
+fn is_axis(range: &Range) -> bool {
     range.count().is_some_and(|count| (2..=MOST_POINTS).contains(&count))
 }
 
@@ -101,7 +103,8 @@ impl Grid {
     /// If an upper end is not a valid value for the scene.
     ///
     /// ```
-    /// use impact_pair::{Scene, sweep::Grid};
+    /// use impact_pair::Scene;
+    /// use impact_pair_answers::grid::Grid;
     /// let scene = Scene::parse(r#"
     ///     excitation = { amplitude = [1, 0], frequency = [2, 3], phase = 0 }
     ///     pair = { gap = 4, restitution = 0.5 }
@@ -147,6 +150,23 @@ impl Grid {
         };
         self.axes.iter().zip(self.places(point)).map(value).collect()
     }
+}
+
+/// An axis in the form of heads.
+pub(crate) fn written(axis: &Range) -> SweepAxis {
+    SweepAxis { key: axis.key().to_string(), from: axis.low().text(), to: axis.high().text(), count: axis.points() }
+}
+
+/// Axes of a head.
+///
+/// # Errors
+/// If one of the written axes is not valid.
+pub(crate) fn axes(written: &[SweepAxis]) -> Result<Vec<Range>, Error> {
+    let axis_of = |over: &SweepAxis| {
+        let text = format!("{}={}..{}:{}", over.key, over.from, over.to, over.count);
+        Range::parse(&text, ACCEPTED_FORM, is_axis)
+    };
+    written.iter().map(axis_of).collect()
 }
 
 fn refused(text: &str, accepted: &str) -> Error {

@@ -1,8 +1,8 @@
-//! An atlas as a table: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
+//! An atlas as a table: the columns that CSV, Parquet and arrays share, and what each row holds.
 
-use impact_pair_document::{AtlasHead, AtlasRecord};
+use impact_pair::json::{AtlasHead, AtlasRecord};
 
-use crate::sweep::{Cell, Kind, csv_line, csv_names};
+use crate::grid::{Cell, Kind};
 
 /// Columns on a point or a cell, with their types.
 const RESULT_COLUMNS: [(&str, Kind); 7] = [
@@ -24,7 +24,7 @@ fn has_more(head: &AtlasHead) -> bool {
 }
 
 /// Columns, in order: the point or tile, the varied parameters, and the answer.
-pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
+pub(super) fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
     for over in &head.over {
         // A dot would be a path in Parquet.
@@ -41,7 +41,7 @@ pub fn columns(head: &AtlasHead) -> Vec<(String, Kind)> {
 }
 
 /// Rows of a record: itself, or the cells that it is cut into.
-pub fn rows<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Vec<Cell<'r>>> {
+pub(super) fn rows<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Vec<Cell<'r>>> {
     record.leaves().into_iter().map(|leaf| row(head, leaf)).collect()
 }
 
@@ -65,15 +65,4 @@ fn row<'r>(head: &AtlasHead, record: &'r AtlasRecord) -> Vec<Cell<'r>> {
         cells.extend([Cell::Whole(record.stable.len() as u64), Cell::Number(record.entropy())]); // exact: a length
     }
     cells
-}
-
-/// Names of the columns as a line of CSV.
-pub fn csv_head(head: &AtlasHead) -> String {
-    csv_names(columns(head))
-}
-
-/// Rows of a record as lines of CSV.
-pub fn csv_rows(head: &AtlasHead, record: &AtlasRecord) -> String {
-    let kinds: Vec<Kind> = columns(head).into_iter().map(|(_, kind)| kind).collect();
-    rows(head, record).iter().map(|row| csv_line(row, &kinds)).collect()
 }

@@ -1,16 +1,27 @@
 //! Points and cells of the plane.
 
-use crate::chaos::Class;
-use num_rational::BigRational;
+use impact_pair::chaos::{Class, GlobalSettings};
+use impact_pair::watch::Unwatched;
 
+use super::tally::Shares;
 use super::*;
-use crate::chaos::GlobalSettings;
-use crate::sweep::Head;
-use crate::tests::scene_of;
-use crate::watch::Unwatched;
+use crate::grid::Head;
+use crate::scenes::scene_of;
 
 fn plane(axes: [&str; 2], cells: bool) -> Plane {
     Plane::new(axes.map(|axis| axis.parse().unwrap()).to_vec(), cells).unwrap()
+}
+
+/// The record of a point or tile; `None` if the watch stops it.
+fn record(
+    scene: &Scene,
+    plane: &Plane,
+    settings: &GlobalSettings,
+    point: u64,
+    watch: &dyn Watch,
+) -> Option<AtlasRecord> {
+    let atlas = Atlas::new(scene, plane.clone(), *settings, None);
+    atlas.record(point, &plane.values(point).unwrap(), watch).unwrap()
 }
 
 /// Tiles, and the cells that each is cut into, cover the rectangle once: each of the smallest cells is in one of them.
@@ -40,8 +51,7 @@ fn the_ends_of_cells_are_exact_and_meet() {
         |cell: &Rectangle| plane.intervals(cell).unwrap().into_iter().map(|(_, x)| x.text()).collect::<Vec<_>>();
     assert_eq!(texts(&Rectangle { from: [0, 0], to: [1, 2] }), ["[0.1, 0.2]", "[0, 0.25]"]);
     assert_eq!(texts(&Rectangle { from: [1, 2], to: [3, 4] }), ["[0.2, 0.4]", "[0.25, 0.5]"]);
-    let whole = BigRational::from_integer(12.into());
-    assert_eq!(whole, BigRational::from_integer(plane.points().into()));
+    assert_eq!(plane.points(), 12);
 }
 
 #[test]
@@ -64,15 +74,16 @@ fn a20_a_cell_holds_for_its_points() {
     let axes = ["amplitude=4..4.01:2", "restitution=0.05..0.051:2"];
     let points = plane(axes, false);
     let cells = plane(axes, true);
-    let at = |plane: &Plane, point| record(&scene, plane, &settings, point, &Unwatched).unwrap().unwrap();
+    let at = |plane: &Plane, point| record(&scene, plane, &settings, point, &Unwatched).unwrap();
+    let atlas = Atlas::new(&scene, cells.clone(), settings, None);
     for point in 0..4 {
         let (one, cell) = (at(&points, point), at(&cells, point));
         assert_eq!([one.class, cell.class], [Class::OneRestCycle; 2]);
         assert_eq!(Shares::of(&cells, &cell), Shares { all: 1, decided: 1, ..Shares::default() });
-        let head = head(&scene, &cells, &settings, None);
+        let head = atlas.head();
         assert_eq!(head.grid().unwrap().points(), 4);
-        assert!(csv_rows(&head, &cell).contains(",one-rest-cycle,0,1,0,0,0,"));
-        assert_eq!(one.global(&head).unwrap().scene.gap.0.text(), "1");
+        assert!(head.csv_rows((), &cell).contains(",one-rest-cycle,0,1,0,0,0,"));
+        assert_eq!(one.global(head).unwrap().scene.gap.0.text(), "1");
     }
 }
 
@@ -89,11 +100,11 @@ fn a_point_that_is_undecided_says_which_limit_left_it() {
         (GlobalSettings { work: 1, ..few }, "work"),
     ];
     for (settings, name) in limits {
-        let found = record(&scene, &plane, &settings, 0, &Unwatched).unwrap().unwrap();
+        let found = record(&scene, &plane, &settings, 0, &Unwatched).unwrap();
         let reasons: Vec<_> = found.components.iter().filter_map(|own| own.reason).collect();
         assert!(found.n_undecided > 0 && reasons.len() as u64 == found.n_undecided);
         assert!(reasons.iter().all(|reason| reason.to_string() == name), "{name}: {reasons:?}");
     }
-    let stop = |_: crate::watch::Stage<'_>| crate::watch::proceed_if(false);
-    assert!(record(&scene, &plane, &few, 0, &stop).unwrap().is_none());
+    let stop = |_: impact_pair::watch::Stage<'_>| impact_pair::watch::proceed_if(false);
+    assert!(record(&scene, &plane, &few, 0, &stop).is_none());
 }

@@ -1,9 +1,11 @@
 //! The points of two parameters, or the cells: Lemma A20 of `docs/proofs/global.md#A20`.
 
-use crate::Error;
-use crate::exact::Exact;
-use crate::scene::{Key, Range, Scene};
-use crate::sweep::Grid;
+use impact_pair::Error;
+use impact_pair::Scene;
+use impact_pair::exact::Exact;
+use impact_pair::scene::{Key, Range};
+
+use crate::grid::Grid;
 
 /// Greatest number of tiles along an axis: each is cut into cells by itself.
 const MAX_TILES: u64 = 8;
@@ -31,7 +33,7 @@ impl Plane {
     /// If there are not exactly two axes, if one of them is no parameter of the pair, or as [`Grid::new`] does.
     ///
     /// ```
-    /// use impact_pair::atlas::Plane;
+    /// use impact_pair_answers::atlas::Plane;
     /// let axes = || vec!["amplitude=1..2:3".parse().unwrap(), "restitution=0..0.5:2".parse().unwrap()];
     /// assert_eq!(Plane::new(axes(), false)?.points(), 6);
     /// assert!(Plane::new(axes()[..1].to_vec(), false).is_err());
@@ -51,8 +53,8 @@ impl Plane {
     }
 
     /// The axes.
-    pub fn axes(&self) -> [&Range; 2] {
-        [&self.grid.axes()[0], &self.grid.axes()[1]]
+    pub fn axes(&self) -> &[Range] {
+        self.grid.axes()
     }
 
     /// Whether the plane is one of cells.
@@ -67,7 +69,7 @@ impl Plane {
 
     /// Number of points, or of the smallest cells, along each axis.
     pub fn counts(&self) -> [u64; 2] {
-        self.axes().map(Range::points)
+        [0, 1].map(|axis: usize| self.axes()[axis].points())
     }
 
     /// Tiles along each axis.
@@ -91,12 +93,12 @@ impl Plane {
         let interval = |(axis, (from, to)): (&Range, (&u64, &u64))| {
             let end = |place: &u64| axis.value(*place, axis.points());
             let interval = end(from).and_then(|low| Exact::interval(&low, &end(to)?));
-            let refused = |error: crate::exact::ExactError| {
+            let refused = |error: impact_pair::exact::ExactError| {
                 Error::out_of_range(None, format!("the axis is \"{axis}\": {error}")).because(error)
             };
             Ok((axis.key(), interval.map_err(refused)?))
         };
-        self.axes().into_iter().zip(cell.from.iter().zip(&cell.to)).map(interval).collect()
+        self.axes().iter().zip(cell.from.iter().zip(&cell.to)).map(interval).collect()
     }
 
     /// Values of a point, or intervals of a tile.

@@ -1,19 +1,20 @@
 //! JSON Lines over a grid: a head, then a record per point. What a sweep and an atlas share.
 
-use impact_pair_document::{SWEEP_SCHEMA, SweepHead, SweepRecord};
+use impact_pair::Error;
+use impact_pair::exact::Exact;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::Grid;
-use crate::Error;
-use crate::exact::Exact;
+use super::columns::{Cell, Kind, csv_line, csv_names};
 
 /// The first line: everything that the points depend on.
-pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
+pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static {
     /// The record of a point.
     type Record: Line;
     /// The points.
     type Grid;
+    /// The choice of rows.
+    type Table: Copy;
     /// The schema of the lines.
     const SCHEMA: &'static str;
     /// The kind of the lines, in a word.
@@ -43,6 +44,23 @@ pub trait Head: Clone + PartialEq + Serialize + DeserializeOwned {
     /// If a value is beyond the range of exact expressions.
     fn values(grid: &Self::Grid, point: u64) -> Result<Vec<Exact>, Error>;
 
+    /// Columns of a table, in order.
+    fn columns(&self, table: Self::Table) -> Vec<(String, Kind)>;
+
+    /// Rows of a record in a table.
+    fn rows<'r>(&self, table: Self::Table, record: &'r Self::Record) -> Box<dyn Iterator<Item = Vec<Cell<'r>>> + 'r>;
+
+    /// Names of the columns of a table as a line of CSV.
+    fn csv_head(&self, table: Self::Table) -> String {
+        csv_names(self.columns(table))
+    }
+
+    /// Rows of a record in a table as lines of CSV.
+    fn csv_rows(&self, table: Self::Table, record: &Self::Record) -> String {
+        let kinds: Vec<Kind> = self.columns(table).into_iter().map(|(_, kind)| kind).collect();
+        self.rows(table, record).map(|row| csv_line(&row, &kinds)).collect()
+    }
+
     /// Whether a point belongs to the grid, or to the shard. Neighbours, which cost alike, belong to different shards.
     fn has(&self, point: u64) -> bool {
         point < self.points() && self.shard().is_none_or(|[number, of]| point % of == number - 1)
@@ -56,45 +74,4 @@ pub trait Line: Serialize + DeserializeOwned {
 
     /// Values of the point as written.
     fn values(&self) -> &[String];
-}
-
-impl Head for SweepHead {
-    type Record = SweepRecord;
-    type Grid = Grid;
-    const SCHEMA: &'static str = SWEEP_SCHEMA;
-    const NAME: &'static str = "sweep";
-
-    fn schema(&self) -> &str {
-        &self.schema
-    }
-
-    fn points(&self) -> u64 {
-        self.points
-    }
-
-    fn shard(&self) -> Option<[u64; 2]> {
-        self.shard
-    }
-
-    fn with_shard(&self, shard: Option<[u64; 2]>) -> Self {
-        Self { shard, ..self.clone() }
-    }
-
-    fn grid(&self) -> Result<Grid, Error> {
-        super::grid(self)
-    }
-
-    fn values(grid: &Grid, point: u64) -> Result<Vec<Exact>, Error> {
-        Ok(grid.values(point)?.into_iter().map(|(_, value)| value).collect())
-    }
-}
-
-impl Line for SweepRecord {
-    fn point(&self) -> u64 {
-        self.point
-    }
-
-    fn values(&self) -> &[String] {
-        &self.values
-    }
 }

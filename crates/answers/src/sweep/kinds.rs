@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use impact_pair_document::{ExtendedBounds, SweepPeriod, SweepRecord};
-use impact_pair_model::vocabulary::PointOutcome;
+use impact_pair::json::vocabulary::PointOutcome;
+use impact_pair::json::{ExtendedBounds, SweepPeriod, SweepRecord};
 
-use super::columns::doubles;
-use crate::mapping::Word;
-use crate::pair::Wall;
+use crate::grid::doubles;
+use impact_pair::mapping::Word;
+use impact_pair::pair::Wall;
 
 /// Greatest number of letters of a word in a name.
 const MAX_LETTERS: usize = 10;

@@ -1,10 +1,10 @@
-//! A sweep as one table or as two: the columns that CSV, Parquet and arrays share, what each row holds, and CSV.
+//! A sweep as one table or as two: the columns that CSV, Parquet and arrays share, and what each row holds.
 
 use std::fmt;
 
-use impact_pair_document::{ClaimName, ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
+use impact_pair::json::{ClaimName, ExtendedBounds, SweepHead, SweepImpact, SweepRecord};
 
-use crate::exact::{Exact, ParseError};
+use crate::grid::{Cell, Kind};
 
 /// Rows of a table of a sweep. The table has the columns that such rows may fill.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,47 +15,6 @@ pub enum Table {
     Points,
     /// The impacts after the transients.
     States,
-}
-
-/// The type of a column.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A whole number.
-    Whole,
-    /// A word.
-    Text,
-    /// True or false.
-    Truth,
-    /// An exact number as written: text in CSV, bounds in Parquet.
-    Exact,
-    /// The lower end of a cell: as written in CSV, in Parquet the least double above or equal, since results about a cell are proved in the cell
-    /// alone.
-    Low,
-    /// The upper end of a cell: as written in CSV, in Parquet the greatest double below or equal.
-    High,
-    /// A double without proof.
-    Number,
-    /// Two columns, `_lower` and `_upper`.
-    Bounds,
-}
-
-/// The content of a row in a column.
-#[derive(Clone, Copy)]
-pub enum Cell<'r> {
-    /// The row has no content in this column.
-    Nothing,
-    /// A whole number.
-    Whole(u64),
-    /// A word.
-    Text(&'r dyn fmt::Display),
-    /// True or false.
-    Truth(bool),
-    /// An exact number as written.
-    Exact(&'r str),
-    /// A double.
-    Number(f64),
-    /// Decimals, rounded outward.
-    Bounds(&'r ExtendedBounds),
 }
 
 /// An impact, of the orbit or the first one of its attractor.
@@ -81,7 +40,7 @@ const RESULT_COLUMNS: [(&str, Kind); 15] = [
 ];
 
 /// Columns of a table, in order.
-pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
+pub(super) fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
     let named = |&(name, kind): &(&str, Kind)| (name.to_owned(), kind);
     let mut columns = vec![("point".to_owned(), Kind::Whole)];
     // A dot would be a path in Parquet.
@@ -98,7 +57,7 @@ pub fn columns(head: &SweepHead, table: Table) -> Vec<(String, Kind)> {
 }
 
 /// Rows of a point in a table: its states, then its results.
-pub fn rows<'r>(
+pub(super) fn rows<'r>(
     head: &SweepHead,
     table: Table,
     record: &'r SweepRecord,
@@ -166,51 +125,4 @@ fn cells_of(record: &SweepRecord) -> [Cell<'_>; RESULT_COLUMNS.len()] {
         whole(period.and_then(|period| period.from)),
         bounds(record.exponent_limit.as_ref()),
     ]
-}
-
-/// Names of a table's columns as a line of CSV.
-pub fn csv_head(head: &SweepHead, table: Table) -> String {
-    csv_names(columns(head, table))
-}
-
-/// Names of columns as a line of CSV.
-pub fn csv_names(columns: Vec<(String, Kind)>) -> String {
-    let names = columns.into_iter().map(|(name, kind)| match kind {
-        Kind::Bounds => format!("{name}_lower,{name}_upper"),
-        _ => name,
-    });
-    names.collect::<Vec<_>>().join(",") + "\n"
-}
-
-/// Rows of a point in a table as lines of CSV.
-pub fn csv_rows(head: &SweepHead, table: Table, record: &SweepRecord) -> String {
-    let kinds: Vec<Kind> = columns(head, table).into_iter().map(|(_, kind)| kind).collect();
-    rows(head, table, record).map(|row| csv_line(&row, &kinds)).collect()
-}
-
-/// A row as a line of CSV; the kinds are those of its columns.
-pub fn csv_line(row: &[Cell<'_>], kinds: &[Kind]) -> String {
-    let cells = row.iter().zip(kinds).map(|(cell, kind)| match cell {
-        Cell::Nothing if *kind == Kind::Bounds => ",".to_owned(),
-        Cell::Nothing => String::new(),
-        Cell::Whole(number) => number.to_string(),
-        Cell::Text(text) => text.to_string(),
-        Cell::Exact(text) => (*text).to_owned(),
-        Cell::Number(number) => number.to_string(),
-        Cell::Truth(truth) => truth.to_string(),
-        Cell::Bounds(bounds) => bounds.join(","),
-    });
-    cells.collect::<Vec<_>>().join(",") + "\n"
-}
-
-/// Doubles next to an exact number as written, below and above it.
-///
-/// # Errors
-/// If the text is no exact number.
-pub fn doubles(text: &str) -> Result<[f64; 2], ParseError> {
-    Ok(match text {
-        "inf" => [f64::INFINITY; 2],
-        "-inf" => [f64::NEG_INFINITY; 2],
-        text => Exact::parse(text)?.enclose(64).to_f64_bounds().into(),
-    })
 }

@@ -1,16 +1,15 @@
 //! Data of a point's orbit: the impacts after the transient, their frequency, and the growth of a disturbance.
 
-use impact_pair_document::SweepImpact;
+use impact_pair::json::SweepImpact;
 
-use super::unit::Unit;
-use crate::exact::Enclosure;
-use crate::lyapunov::Disturbance;
-use crate::number::{Ball, Number};
-use crate::orbit::{Impact, Orbit, Progress};
+use impact_pair::exact::Enclosure;
+use impact_pair::lyapunov::Disturbance;
+use impact_pair::number::{Ball, Number};
+use impact_pair::orbit::{Impact, Orbit, Progress, Reference};
 
 /// The data kept of an orbit after its transient.
 pub(super) struct Window<'u> {
-    unit: &'u Unit,
+    unit: &'u Reference,
     transient: u64,
     pub listed: u64,
     summary: bool,
@@ -23,7 +22,7 @@ pub(super) struct Window<'u> {
 }
 
 impl<'u> Window<'u> {
-    pub fn new(orbit: &Orbit, (transient, summary): (u64, bool), unit: &'u Unit) -> Self {
+    pub fn new(orbit: &Orbit, (transient, summary): (u64, bool), unit: &'u Reference) -> Self {
         let disturbance = (transient == 0).then(|| Disturbance::of(orbit).in_turns_of(unit.rate()));
         let ends = orbit.start_impact().filter(|_| transient == 0).map(|start| [start.clone(), start]);
         Self { unit, transient, listed: 0, summary, states: Vec::new(), disturbance, ends, has_chatter: false }

@@ -1,15 +1,14 @@
 //! The periodic orbit that the orbit of a point converges to.
 
-use impact_pair_document::SweepImpact;
+use impact_pair::json::SweepImpact;
 
-use super::unit::Unit;
-use crate::exact::Enclosure;
-use crate::lyapunov::{Passed, limit};
-use crate::mapping::Word;
-use crate::orbit::Orbit;
-use crate::pair::Wall;
-use crate::periodic::{Attractor, PeriodicImpact};
-use crate::units::in_radians;
+use impact_pair::exact::Enclosure;
+use impact_pair::lyapunov::{Passed, limit};
+use impact_pair::mapping::Word;
+use impact_pair::orbit::{Orbit, Reference};
+use impact_pair::pair::Wall;
+use impact_pair::periodic::{Attractor, PeriodicImpact};
+use impact_pair::units::in_radians;
 
 /// Stable periodic orbit that an orbit is proved to converge to, measured from one of its impacts on.
 ///
@@ -28,7 +27,7 @@ pub struct Attraction {
 }
 
 /// The attractor, measured from the first impact of [`Attraction`].
-pub(super) fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Unit, passed: Passed) -> Attraction {
+pub(super) fn attraction(orbit: &Orbit, attractor: &Attractor, unit: &Reference, passed: Passed) -> Attraction {
     let Attractor { word, orbit: periodic, from, .. } = attractor;
     let impacts = &periodic.impacts;
     let rotated = |shift: usize| impacts.iter().cycle().skip(shift).take(impacts.len());
