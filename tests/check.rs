@@ -10,7 +10,7 @@ use impact_pair::Scene;
 use impact_pair::exact::{Enclosure, Exact};
 use impact_pair::orbit::{Arithmetic, Orbit, Settings};
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
-use impact_pair_certificate::{Certificate, Claims, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Claims, Limits, Verdict};
 
 use crate::corpus::document as recorded;
 
@@ -191,14 +191,14 @@ fn r17_work_is_counted_and_a_graze_that_is_invented_is_bounded_by_it() {
         let mut copy = document.clone();
         copy["events"].as_array_mut().unwrap().push(json!({"event": "graze", "wall": "right", "time": time}));
         let certificate = Certificate::parse(&copy.to_string()).unwrap();
-        certificate.check_within(&Effort { work, ..Effort::default() }, &Unwatched).unwrap()
+        certificate.check_within(&Limits { work, ..Limits::default() }, &Unwatched).unwrap()
     };
     match invented([&upper, "50"], 0) {
         Verdict::Undecided(finding) => assert!(finding.message.ends_with("the work allowed is spent"), "{finding:?}"),
         other => panic!("{other:?}"),
     }
     // Far from the wall nothing need be sought.
-    let whole = Effort::default().work;
+    let whole = Limits::default().work;
     let middle = |by: &str| {
         impact_pair::exact::decimal_bounds(&format!("{upper} + {by}").parse::<Exact>().unwrap().enclose(96))[0].clone()
     };
@@ -211,7 +211,7 @@ fn r17_who_stops_a_check_keeps_what_is_proved() {
     let certificate = Certificate::parse(&document.to_string()).unwrap();
     let stop_at = |event: usize| {
         let stop = |at: Stage<'_>| proceed_if(at != Stage::Claims(event));
-        certificate.check_within(&Effort::default(), &stop).unwrap()
+        certificate.check_within(&Limits::default(), &stop).unwrap()
     };
     for events in [1, 4, 8] {
         assert_eq!(stop_at(events), Verdict::Interrupted { events });
@@ -264,7 +264,7 @@ fn a_stopped_check_keeps_the_proved_links() {
         reported.lock().unwrap().push(confirmed);
         proceed_if(confirmed < 100)
     };
-    let found = certificate.check_within(&Effort::default(), &stop).unwrap();
+    let found = certificate.check_within(&Limits::default(), &stop).unwrap();
     let reported = reported.into_inner().unwrap();
     let Verdict::Interrupted { events } = found else { panic!("{found:?}") };
     assert!((100..1000).contains(&events) && reported.is_sorted(), "{events} {reported:?}");
@@ -274,7 +274,7 @@ fn a_stopped_check_keeps_the_proved_links() {
 fn a_stopped_check_of_words_reports_its_progress() {
     let claims = Claims::parse(&recorded("chaos").to_string()).unwrap();
     let stop = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Claims(6..)));
-    let found = claims.check_within(&Effort::default(), &stop).unwrap();
+    let found = claims.check_within(&Limits::default(), &stop).unwrap();
     assert!(matches!(found, Verdict::Interrupted { events } if events >= 6), "{found:?}");
 }
 

@@ -3,7 +3,7 @@
 use impact_pair::Scene;
 use impact_pair::orbit::Orbit;
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Certificate, Effort};
+use impact_pair_certificate::{Certificate, Limits};
 use impact_pair_fuzz::{config, edited, share};
 use proptest::prelude::*;
 
@@ -19,7 +19,7 @@ fn seeds() -> Vec<String> {
 }
 
 /// Less than by default: there are many documents.
-const EFFORT: Effort = Effort { bits: 1024, parts: 1 << 12, pieces: 4, work: 1 << 12 };
+const LIMITS: Limits = Limits { bits: 1024, parts: 1 << 12, pieces: 4, work: 1 << 12 };
 
 proptest! {
     #![proptest_config(config())]
@@ -28,7 +28,7 @@ proptest! {
     fn documents_are_read_and_checked_or_refused(text in edited(seeds())) {
         match Certificate::parse(&text) {
             Ok(certificate) => {
-                let _ = certificate.check_within(&EFFORT, &Unwatched);
+                let _ = certificate.check_within(&LIMITS, &Unwatched);
             }
             Err(error) => prop_assert!(!error.to_string().is_empty()),
         }

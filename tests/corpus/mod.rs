@@ -34,7 +34,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Limits, Verdict};
 use serde_json::{Value, json};
 
 use crate::environment::number;
@@ -117,12 +117,12 @@ fn verdict(text: &str) -> Option<(Verdict, Vec<String>)> {
     let heavy = ["impact-pair/global/1", "impact-pair/chaos-cells/1", "impact-pair/windows/1"];
     let is_in_boxes = text.contains("impact-pair/tangency/1") && text.contains("\"states\"");
     let work = match heavy.iter().any(|schema| text.contains(schema)) {
-        _ if is_in_boxes => Effort::default().work,
+        _ if is_in_boxes => Limits::default().work,
         true => 1 << 16,
         false => 1 << 12,
     };
-    let effort = Effort { bits: 1 << 12, work, pieces: 16, ..Effort::default() };
-    let verdict = claims.check_within(&effort, &Unwatched).ok()?;
+    let limits = Limits { bits: 1 << 12, work, pieces: 16, ..Limits::default() };
+    let verdict = claims.check_within(&limits, &Unwatched).ok()?;
     Some((verdict, claims.unjudged()))
 }
 

@@ -2,7 +2,7 @@
 
 use impact_pair::orbit::{Arithmetic, INARI, Orbit, Settings};
 use impact_pair::watch::Unwatched;
-use impact_pair_certificate::{Certificate, Effort, Verdict};
+use impact_pair_certificate::{Certificate, Limits, Verdict};
 use serde_json::json;
 
 use super::starts::{Case, FAMILIES};
@@ -30,8 +30,8 @@ impl StartVerdict {
     }
 }
 
-/// The effort that a start near a boundary of branches needs; the long flights among them need more than anybody waits for.
-const EFFORT: Effort = Effort { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 16 };
+/// The limits that a start near a boundary of branches needs; the long flights among them need more than anybody waits for.
+const LIMITS: Limits = Limits { bits: 640, parts: 1 << 7, pieces: 4, work: 1 << 16 };
 
 /// The arithmetics in turn, and the most bits of `auto`.
 fn settings(case: &Case, number: u64) -> Settings {
@@ -55,7 +55,7 @@ pub fn judge(case: &Case, number: u64) -> (StartVerdict, String) {
         return (StartVerdict::Nothing, String::new());
     }
     let certificate = Certificate::parse(&document.to_string()).expect("what is written can be read");
-    match certificate.check_within(&EFFORT, &Unwatched).expect("a scene that was run") {
+    match certificate.check_within(&LIMITS, &Unwatched).expect("a scene that was run") {
         Verdict::Confirmed { .. } => (StartVerdict::Confirmed, String::new()),
         Verdict::Interrupted { .. } => unreachable!("nobody stops it"),
         Verdict::Undecided(finding) => (StartVerdict::Open, finding.message),

@@ -18,7 +18,7 @@ use crate::sweep::SweepCertificate;
 use crate::tangency::TangencyCertificate;
 use crate::trap::TrapCertificate;
 use crate::windows::WindowsCertificate;
-use crate::{Certificate, Effort, Verdict};
+use crate::{Certificate, Limits, Verdict};
 
 /// The statement on horseshoes that is not checked: boxes of components are not in a document. Lemma V37
 const UNCHECKED_COMPONENT: &str = "which component holds a horseshoe";
@@ -27,7 +27,7 @@ const UNCHECKED_COMPONENT: &str = "which component holds a horseshoe";
 pub(super) trait Checked {
     /// Proves every claim again, or returns the first claim that is refuted or undecided. The watch can stop the check and receives the
     /// number of claims confirmed so far.
-    fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error>;
+    fn check(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error>;
 
     /// Number of items.
     fn count(&self) -> usize;
@@ -79,7 +79,7 @@ pub(super) trait Checked {
     }
 
     /// The verdict, and how many items are confirmed for all data; documents that check item by item count themselves.
-    fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+    fn judge(&self, limits: &Limits, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
         let reached = AtomicUsize::new(0);
         let watch = &|at: Stage<'_>| {
             if let Stage::Claims(claims) = at {
@@ -87,7 +87,7 @@ pub(super) trait Checked {
             }
             watch.proceed(at)
         };
-        let verdict = self.check(effort, watch)?;
+        let verdict = self.check(limits, watch)?;
         Ok((verdict, if self.is_one_by_one() { reached.into_inner() } else { 0 }))
     }
 }
@@ -95,8 +95,8 @@ pub(super) trait Checked {
 /// The methods of documents whose claims are the items of this list, each of which has this name.
 macro_rules! checked {
     ($items:literal, $item:expr) => {
-        fn check(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-            self.check_within(effort, watch)
+        fn check(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
+            self.check_within(limits, watch)
         }
 
         fn count(&self) -> usize {
@@ -116,8 +116,8 @@ macro_rules! checked {
 /// The method of documents that check item by item themselves.
 macro_rules! judged {
     () => {
-        fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
-            self.judge_within(effort, watch)
+        fn judge(&self, limits: &Limits, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+            self.judge_within(limits, watch)
         }
     };
 }

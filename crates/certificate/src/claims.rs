@@ -18,7 +18,7 @@ use crate::sweep::SweepCertificate;
 use crate::tangency::TangencyCertificate;
 use crate::trap::TrapCertificate;
 use crate::windows::WindowsCertificate;
-use crate::{Certificate, CheckResult, Effort, Finding, Verdict};
+use crate::{Certificate, CheckResult, Finding, Limits, Verdict};
 use impact_pair_document::{
     ATLAS_SCHEMA, AUDIT_SCHEMA, AuditDocument, BIFURCATION_SCHEMA, CHAOS_CELLS_SCHEMA, CHAOS_SCHEMA, CYCLES_SCHEMA,
     DESCRIPTION_SCHEMA, GLOBAL_SCHEMA, MANIFOLD_SCHEMA, ManifoldDocument, PERIODIC_SCHEMA, Place, SWEEP_SCHEMA,
@@ -169,14 +169,14 @@ impl Claims {
     }
 
     /// Checks one document after another; the verdict is on the first document that is not confirmed.
-    fn judge_each(documents: &[(String, &Self)], effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
+    fn judge_each(documents: &[(String, &Self)], limits: &Limits, watch: &dyn Watch) -> Result<CheckResult, Error> {
         let (mut before, mut most) = (0, (0, 0));
         for (_, document) in documents {
             let after = |at: Stage<'_>| match at {
                 Stage::Claims(claims) => watch.proceed(Stage::Claims(before + claims)),
                 at => watch.proceed(at),
             };
-            let CheckResult { verdict, confirmed } = document.judge(effort, &after)?;
+            let CheckResult { verdict, confirmed } = document.judge(limits, &after)?;
             let at = |finding: Finding| Finding { event: before + finding.event, ..finding };
             let verdict = match verdict {
                 Verdict::Confirmed { bits, pieces } => {
@@ -203,8 +203,8 @@ impl Claims {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        Ok(self.judge(effort, watch)?.verdict)
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge(limits, watch)?.verdict)
     }
 
     /// Checks as [`check_within`](Self::check_within) does, and also returns how many claims were confirmed without a gap, for
@@ -215,12 +215,12 @@ impl Claims {
     ///
     /// # Examples
     /// ```
-    /// use impact_pair_certificate::{Claims, Effort, document::VerdictName};
+    /// use impact_pair_certificate::{Claims, Limits, document::VerdictName};
     /// use impact_pair_model::watch::Unwatched;
     ///
     /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
     /// let claims = Claims::parse(text)?;
-    /// let judged = claims.judge(&Effort::default(), &Unwatched)?;
+    /// let judged = claims.judge(&Limits::default(), &Unwatched)?;
     /// assert_eq!(judged.name(), VerdictName::Confirmed);
     /// // The same, value by value: schema impact-pair/check/1.
     /// let document = claims.document(&judged);
@@ -228,14 +228,14 @@ impl Claims {
     /// assert!(document.not_checked.contains(&"program".to_owned()));
     /// # Ok::<(), impact_pair_model::Error>(())
     /// ```
-    pub fn judge(&self, effort: &Effort, watch: &dyn Watch) -> Result<CheckResult, Error> {
+    pub fn judge(&self, limits: &Limits, watch: &dyn Watch) -> Result<CheckResult, Error> {
         if let Of::Description(certificate) = &self.of
             && let Some(finding) = certificate.contradiction()
         {
             return Ok(CheckResult { verdict: Verdict::Refuted(finding), confirmed: 0 });
         }
         if let Some(documents) = self.documents() {
-            let judged = Self::judge_each(&documents, effort, &Latched::new(watch))?;
+            let judged = Self::judge_each(&documents, limits, &Latched::new(watch))?;
             return Ok(match (&self.of, &judged.verdict) {
                 (Of::Description(certificate), Verdict::Confirmed { .. }) => certificate.with_fate(judged),
                 _ => judged,
@@ -245,7 +245,7 @@ impl Claims {
             let nothing = Finding { event: 0, message: "nothing of it is checked".to_owned() };
             return Ok(CheckResult { verdict: Verdict::Undecided(nothing), confirmed: 0 });
         };
-        let (mut verdict, certain) = certificate.judge(effort, watch)?;
+        let (mut verdict, certain) = certificate.judge(limits, watch)?;
         if let Verdict::Confirmed { .. } = verdict
             && certificate.claims_nothing()
         {

@@ -4,18 +4,18 @@
 //! claims except the exact numbers and the model.
 //!
 //! ```
-//! use impact_pair_certificate::{Claims, Effort, Verdict};
+//! use impact_pair_certificate::{Claims, Limits, Verdict};
 //! use impact_pair_model::watch::Unwatched;
 //!
 //! // What `impact-pair run scenes/figure-14.toml --impacts 6 --format json` writes.
 //! let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/documents/count.jsonl"));
 //! let claims = Claims::parse(text)?;
 //! assert_eq!(claims.all(), "6 events and the outcome");
-//! assert!(matches!(claims.check_within(&Effort::default(), &Unwatched)?, Verdict::Confirmed { .. }));
+//! assert!(matches!(claims.check_within(&Limits::default(), &Unwatched)?, Verdict::Confirmed { .. }));
 //!
 //! // The ball hits the right wall first.
 //! let claims = Claims::parse(&text.replacen("\"right\"", "\"left\"", 1).replacen("P2", "P4", 1))?;
-//! let Verdict::Refuted(finding) = claims.check_within(&Effort::default(), &Unwatched)? else { panic!("it is false") };
+//! let Verdict::Refuted(finding) = claims.check_within(&Limits::default(), &Unwatched)? else { panic!("it is false") };
 //! assert!(claims.described(&finding).starts_with("events[0], impact 1: "));
 //! # Ok::<(), impact_pair_model::Error>(())
 //! ```
@@ -48,7 +48,7 @@ mod tolerances;
 mod trap;
 mod windows;
 
-pub use check::{Effort, Finding, Verdict};
+pub use check::{Finding, Limits, Verdict};
 pub use claims::Claims;
 use claims::{Of, boxed};
 #[doc(inline)]

@@ -6,19 +6,19 @@
 //!
 //! What is right of a case: `verdict`, where only one is (`unreadable`, `refuted`, `undecided`, `confirmed`); `says`, a part of the
 //! message; `named` and `judged`, keys that are, or are not, among those not checked. A document of which only the claims `false` are
-//! false may be confirmed where all these are named as not checked. `work` is the effort of the check. A file or a case that is `deep`
+//! false may be confirmed where all these are named as not checked. `work` is the limit of the check's work. A file or a case that is `deep`
 //! takes seconds: `CORPUS_CASES=all` alone reads it. The verified checker judges the same documents, in `target/corpus`.
 
 use std::fs;
 use std::path::Path;
 
-use impact_pair_certificate::{Claims, Effort};
+use impact_pair_certificate::{Claims, Limits};
 use impact_pair_document::VerdictName;
 use impact_pair_model::watch::Unwatched;
 use serde_json::{Value, json};
 
-use crate::effort::effort;
 use crate::environment::number;
+use crate::limits::limits;
 use crate::recorded::{self, text};
 
 /// Cases of one file that are judged by default, and of schemas of which a check takes milliseconds.
@@ -38,9 +38,9 @@ struct Case {
 /// The verdict of `check` on a document, its message, and the keys that it names as not checked.
 fn judged(lines: &[Value], work: Option<u64>) -> (&'static str, String, Vec<String>) {
     let text = text(lines);
-    let effort = Effort { work: work.unwrap_or_else(|| effort().work), ..Effort::default() };
+    let limits = Limits { work: work.unwrap_or_else(|| limits().work), ..Limits::default() };
     let checked = Claims::parse(&text).and_then(|claims| {
-        let judged = claims.judge(&effort, &Unwatched)?;
+        let judged = claims.judge(&limits, &Unwatched)?;
         let found = claims.document(&judged);
         let names = [claims.unjudged(), found.unchecked_claims.clone()].concat();
         Ok((found, names))
@@ -194,7 +194,7 @@ fn assert_confirmed(is_deep: bool) {
     for (name, lines) in recorded::all_that_are(is_deep) {
         let text = text(&lines);
         let claims = Claims::parse(&text).unwrap();
-        let judged = claims.judge(&Effort::default(), &Unwatched).unwrap();
+        let judged = claims.judge(&Limits::default(), &Unwatched).unwrap();
         let found = claims.document(&judged);
         let has_theorem = found.theorem.is_some_and(|theorem| !theorem.is_empty());
         if found.verdict != VerdictName::Confirmed || !has_theorem {

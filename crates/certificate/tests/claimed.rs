@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use impact_pair_certificate::{Claims, Effort};
+use impact_pair_certificate::{Claims, Limits};
 use impact_pair_document::{CHAOS_CELLS_SCHEMA, CheckDocument, VerdictName};
 use impact_pair_model::watch::{Stage, Unwatched, Watch, proceed_if};
 use serde_json::{Value, json};
 
-use crate::effort::effort;
 use crate::environment::number;
+use crate::limits::limits;
 use crate::recorded::{all, all_that_are, document, text};
 use crate::schemas;
 
@@ -19,9 +19,9 @@ pub fn checked(lines: &[Value], watch: &dyn Watch) -> Option<CheckDocument> {
     let claims = Claims::parse(&text).ok()?;
     // Documents in which nothing is to be decided are soon given up.
     let is_light = lines[0]["claim"].is_string() || lines[0]["schema"] == CHAOS_CELLS_SCHEMA;
-    let work = if is_light { 1 << 12 } else { effort().work };
-    let effort = Effort { bits: 1 << 12, pieces: 16, work, ..Effort::default() };
-    let judged = claims.judge(&effort, watch).ok()?;
+    let work = if is_light { 1 << 12 } else { limits().work };
+    let limits = Limits { bits: 1 << 12, pieces: 16, work, ..Limits::default() };
+    let judged = claims.judge(&limits, watch).ok()?;
     Some(claims.document(&judged))
 }
 

@@ -2,10 +2,10 @@
 
 mod cases;
 mod claimed;
-mod effort;
 #[path = "../../../tests/environment/mod.rs"]
 mod environment;
 mod keys;
+mod limits;
 mod recorded;
 mod schemas;
 mod unchecked;

@@ -1,6 +1,6 @@
 //! The first line of `check` names the claims that no lemma of the check covers.
 
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Limits, Verdict};
 use impact_pair_document::CheckDocument;
 use impact_pair_model::watch::Unwatched;
 use serde_json::{Value, json};
@@ -13,7 +13,7 @@ fn checked(name: &str, change: impl Fn(&mut Value)) -> CheckDocument {
     change(&mut lines[0]);
     let text = recorded::text(&lines);
     let claims = Claims::parse(&text).unwrap();
-    let judged = claims.judge(&Effort::default(), &Unwatched).unwrap();
+    let judged = claims.judge(&Limits::default(), &Unwatched).unwrap();
     assert!(matches!(judged.verdict, Verdict::Confirmed { .. }), "{name}: {:?}", judged.verdict);
     claims.document(&judged)
 }

@@ -18,7 +18,7 @@ use super::fixed_point::FixedPoint;
 use super::frame::{Frame, hull};
 use super::target::{MAX_BITS, Target, narrowest};
 use super::walk::compare;
-use super::{DocumentCheck, Effort, Verdict};
+use super::{DocumentCheck, Limits, Verdict};
 use crate::attraction::Bounds;
 use crate::bifurcation::{BifurcationCertificate, ClaimedPoint};
 use impact_pair_exact::{Exact, Real};
@@ -46,7 +46,7 @@ impl BifurcationCertificate {
     ///
     /// # Errors
     /// None: a value beyond the range of exact expressions leaves a point undecided.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let over = ParameterFamily { pair: &self.pair, start: &self.start, key: self.over };
         let whole = DocumentCheck {
             contradiction: self.contradiction.as_deref(),
@@ -58,7 +58,7 @@ impl BifurcationCertificate {
         let judge = |point: &ClaimedPoint, budget: &Budget<'_>, _: &dyn Watch| {
             point.judged(&over, budget, ClaimedPoint::compare)
         };
-        let verdict = whole.judged(claims, effort, watch, judge);
+        let verdict = whole.judged(claims, limits, watch, judge);
         let is_confirmed = matches!(verdict, Verdict::Confirmed { .. });
         Ok(match is_confirmed.then(|| self.are_distinct()) {
             Some(Err(doubt)) => doubt.on(self.count()),

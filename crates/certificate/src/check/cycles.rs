@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 
 use super::contact::Doubt;
-use super::{Effort, Finding, Verdict};
+use super::{Finding, Limits, Verdict};
 use crate::attraction::{Bounds, ClaimedOrbit, Passage};
 use crate::cycles::CyclesCertificate;
 use impact_pair_exact::Enclosure;
@@ -22,12 +22,12 @@ impl CyclesCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = self.orbits.count();
         if let Some(message) = self.contradiction.as_deref() {
             return Ok(Verdict::Refuted(Finding { event: whole, message: message.to_owned() }));
         }
-        let verdict = self.orbits.check_within(effort, watch)?;
+        let verdict = self.orbits.check_within(limits, watch)?;
         Ok(match (verdict, self.are_different()) {
             (verdict @ Verdict::Confirmed { .. }, Ok(())) => verdict,
             (Verdict::Confirmed { .. }, Err(doubt)) => doubt.on(whole),

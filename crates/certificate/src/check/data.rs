@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 
-use super::Effort;
+use super::Limits;
 use super::affine::Affine;
 use super::budget::Budget;
 use super::shaking::Term;
@@ -107,7 +107,7 @@ impl Data<'_> {
             velocity: within("start.velocity", start.velocity(), start.velocity().checked_div(frequency))?,
             wall,
             height,
-            budget: Budget::new(u64::MAX, Effort::default().parts, &Unwatched),
+            budget: Budget::new(u64::MAX, Limits::default().parts, &Unwatched),
         })
     }
 

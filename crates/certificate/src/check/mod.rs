@@ -99,7 +99,7 @@ pub struct Finding {
 
 /// Limits of a check, beyond which a claim is left undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct Limits {
     /// Bits of the arithmetic.
     pub bits: u32,
     /// Parts into which a flight may be cut.
@@ -111,14 +111,14 @@ pub struct Effort {
     pub work: u64,
 }
 
-impl Default for Effort {
+impl Default for Limits {
     /// 131,072 bits, 2,097,152 parts of a flight, 4,096 pieces of the data, 262,144 evaluations: some 5 to 10 s.
     fn default() -> Self {
         Self { bits: 1 << 17, parts: 1 << 21, pieces: 1 << 12, work: 1 << 18 }
     }
 }
 
-impl From<impact_pair_model::Effort> for Effort {
+impl From<impact_pair_model::Effort> for Limits {
     /// The usual limits, with that many times the parts and the evaluations: these are what claims are left undecided by.
     fn from(effort: impact_pair_model::Effort) -> Self {
         let usual = Self::default();
@@ -185,7 +185,7 @@ impl DocumentCheck<'_> {
     fn judged<C>(
         self,
         claims: impl Iterator<Item = (usize, C)>,
-        effort: &Effort,
+        limits: &Limits,
         watch: &dyn Watch,
         mut judge: impl FnMut(C, &Budget<'_>, &dyn Watch) -> Result<u32, Doubt>,
     ) -> Verdict {
@@ -197,8 +197,8 @@ impl DocumentCheck<'_> {
             return Doubt::open(message).on(count);
         }
         let watch = Latched::new(watch);
-        let budget = Budget::new(0, effort.parts, &watch);
-        match one_by_one(claims, (&budget, effort.work), |claim| judge(claim, &budget, &watch), &watch) {
+        let budget = Budget::new(0, limits.parts, &watch);
+        match one_by_one(claims, (&budget, limits.work), |claim| judge(claim, &budget, &watch), &watch) {
             Ok(0) => Doubt::open(nothing).on(count),
             Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
             Err(verdict) => verdict,
@@ -218,16 +218,16 @@ impl Certificate {
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
     pub fn check(&self, watch: &dyn Watch) -> Result<Verdict, Error> {
-        self.check_within(&Effort::default(), watch)
+        self.check_within(&Limits::default(), watch)
     }
 
-    /// Checks with at most this effort; see [`check`](Self::check).
+    /// Checks within these limits; see [`check`](Self::check).
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
-        let budget = Budget::new(effort.work, effort.parts, &watch);
+        let budget = Budget::new(limits.work, limits.parts, &watch);
         let data = Data { budget: budget.clone(), ..Data::new(self.pair(), self.start())? };
         let mut reached = 0;
         let mut progress = |event: usize| {
@@ -236,8 +236,8 @@ impl Certificate {
         };
         let is_whole = data.is_point();
         let verdict = match self.claim() {
-            ClaimName::ExactStart => self.judged(effort, &data, &mut progress),
-            ClaimName::Shadowed => self.shadowed(effort, &watch, &data, &mut progress),
+            ClaimName::ExactStart => self.judged(limits, &data, &mut progress),
+            ClaimName::Shadowed => self.shadowed(limits, &watch, &data, &mut progress),
         };
         Ok(match verdict {
             Verdict::Undecided(_) if budget.is_stopped() => {
@@ -251,7 +251,7 @@ impl Certificate {
     }
 
     /// The verdict on all events and the outcome.
-    fn judged(&self, effort: &Effort, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
+    fn judged(&self, limits: &Limits, data: &Data, progress: &mut impl FnMut(usize)) -> Verdict {
         let (mut bits, mut pieces, mut cut) = (FIRST_BITS, vec![Piece::default()], 1);
         // The event at which more bits did not help, and the number of bits at the first attempt.
         let mut stuck = (0, bits);
@@ -272,7 +272,7 @@ impl Certificate {
             let event = walk.event;
             match walk.widest_datum() {
                 _ if matches!(doubt, Doubt::False(_)) || data.budget.is_spent() => return doubt.on(event),
-                Some(datum) if cut < effort.pieces => {
+                Some(datum) if cut < limits.pieces => {
                     pieces.extend(piece.halves(datum));
                     cut += 1;
                 }
@@ -280,12 +280,12 @@ impl Certificate {
                     let is_stuck = stuck.0 == event;
                     stuck = if is_stuck { stuck } else { (event, bits) };
                     // proposes: the bits to try
-                    let is_enough = bits >= GIVE_UP_BITS.max(4 * stuck.1) || bits >= effort.bits;
+                    let is_enough = bits >= GIVE_UP_BITS.max(4 * stuck.1) || bits >= limits.bits;
                     if widest.is_some() || is_enough {
                         return doubt.on(event);
                     }
                     // proposes
-                    bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(effort.bits);
+                    bits = if is_stuck { 2 * bits } else { self.more_bits(bits, event) }.min(limits.bits);
                     pieces.push(piece);
                 }
             }
@@ -293,8 +293,8 @@ impl Certificate {
         if let Err((event, doubt)) = self.are_grazes(data, &grazes) {
             return doubt.on(event);
         }
-        data.budget.add(effort.work);
-        match self.attracts(data, effort.pieces) {
+        data.budget.add(limits.work);
+        match self.attracts(data, limits.pieces) {
             Ok(()) => Verdict::Confirmed { bits, pieces: cut },
             Err(doubt) => doubt.on(self.events().len()),
         }

@@ -14,7 +14,7 @@ use super::distinct::{Recurrence, begins_within};
 use super::frame::Frame;
 use super::round::Round;
 use super::target::{BITS, Target};
-use super::{Effort, Verdict, one_by_one};
+use super::{Limits, Verdict, one_by_one};
 use crate::periodic::{OrbitOf, PeriodicCertificate};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
@@ -26,15 +26,15 @@ impl PeriodicCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
-        let budget = Budget::new(0, effort.parts, &watch);
+        let budget = Budget::new(0, limits.parts, &watch);
         let data = Data { budget: budget.clone(), ..Data::new(&self.pair, &self.start)? };
         let judge = |OrbitOf { word, cycles, orbit }: &OrbitOf| {
             let target = Target::new(&data, word, *cycles, orbit)?;
-            target.is_an_orbit(effort.pieces).map(|()| BITS)
+            target.is_an_orbit(limits.pieces).map(|()| BITS)
         };
-        let each = one_by_one(self.orbits.iter().enumerate(), (&budget, effort.work), judge, &watch);
+        let each = one_by_one(self.orbits.iter().enumerate(), (&budget, limits.work), judge, &watch);
         let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits.len()));
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }

@@ -21,7 +21,7 @@ use super::standing::WalkState;
 use super::step::Landing;
 use super::target::narrowest;
 use super::walk::Walk;
-use super::{Effort, FIRST_BITS, Finding, Verdict};
+use super::{FIRST_BITS, Finding, Limits, Verdict};
 use crate::Certificate;
 use impact_pair_document::NearDocument;
 use impact_pair_exact::{Dyadic, Real};
@@ -55,7 +55,7 @@ pub(super) struct Shadow<'c> {
     /// The impacts before any other event.
     pub hits: Vec<ClaimedImpact<'c>>,
     pub is_of_times: bool,
-    effort: &'c Effort,
+    limits: &'c Limits,
     watch: &'c dyn Watch,
 }
 
@@ -63,7 +63,7 @@ impl Certificate {
     /// The verdict on all events and the outcome of a shadowed orbit.
     pub(super) fn shadowed(
         &self,
-        effort: &Effort,
+        limits: &Limits,
         watch: &dyn Watch,
         data: &Data,
         progress: &mut impl FnMut(usize),
@@ -79,7 +79,7 @@ impl Certificate {
             let start = WalkState::at_start(data, &data.parameters(&Piece::default(), FIRST_BITS), &Piece::default());
             let is_of_times = data.wall.is_some() && start.departure().velocity.hull().is_zero();
             let hits = self.events().iter().enumerate().map_while(ClaimedImpact::of).collect();
-            let shadow = Shadow { certificate: self, near, hits, is_of_times, effort, watch };
+            let shadow = Shadow { certificate: self, near, hits, is_of_times, limits, watch };
             shadow.fits(start.last())?;
             if !data.is_point() {
                 return Err((0, Doubt::open("a shadowed orbit is not checked where data are intervals")));
@@ -87,8 +87,8 @@ impl Certificate {
             shadow.starts_around_the_scenes().map_err(|doubt| (end, doubt))?;
             let (bits, offs) = shadow.answer(data, progress)?;
             shadow.is_within_epsilon(offs).map_err(|doubt| (end, doubt))?;
-            data.budget.add(effort.work);
-            self.attracts(data, effort.pieces).map_err(|doubt| (end, doubt))?;
+            data.budget.add(limits.work);
+            self.attracts(data, limits.pieces).map_err(|doubt| (end, doubt))?;
             Ok(bits)
         })();
         match answer {
@@ -112,12 +112,12 @@ impl Shadow<'_> {
         });
         let digits = times.max(velocities).map_or(0, |digits| digits + SPARE_BITS); // proposes
         let bits = u32::try_from(digits).map_or(FIRST_BITS, |digits| digits.max(FIRST_BITS)); // proposes: bits to compute with
-        bits.min(self.effort.bits.max(FIRST_BITS)) // proposes
+        bits.min(self.limits.bits.max(FIRST_BITS)) // proposes
     }
 
     /// Calls `answer` with data and a frame of the calling thread's own.
     fn under<T>(&self, bits: u32, answer: impl FnOnce(&Course<'_>) -> T) -> T {
-        let Effort { work, parts, .. } = *self.effort;
+        let Limits { work, parts, .. } = *self.limits;
         let data = Data::new(self.certificate.pair(), self.certificate.start()).expect("they have been read before");
         let data = Data { budget: Budget::new(work, parts, self.watch), ..data };
         let frame = Frame::new(&data, &Piece::default(), bits);
@@ -170,12 +170,12 @@ impl Shadow<'_> {
             let event = doubted.0;
             // More bits help after a release, which does not depend on the start.
             let is_stuck = before.is_some_and(|before| event <= before);
-            if is_stuck || bits >= self.effort.bits || data.budget.is_spent() {
+            if is_stuck || bits >= self.limits.bits || data.budget.is_spent() {
                 let are_open = last.is_some();
                 return Err(if are_open { doubted } else { self.refuted().unwrap_or(doubted) }); // exact: what is in doubt
             }
             before = Some(event);
-            bits = self.certificate.more_bits(bits, event).min(self.effort.bits); // proposes
+            bits = self.certificate.more_bits(bits, event).min(self.limits.bits); // proposes
         }
     }
 

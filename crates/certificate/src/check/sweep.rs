@@ -7,7 +7,7 @@ use super::points::{Found, Tally, is_placed};
 use super::standing::Last;
 use super::step::Landing;
 use super::walk::{Walk, compare};
-use super::{Effort, FIRST_BITS, Verdict};
+use super::{FIRST_BITS, Limits, Verdict};
 use crate::Certificate;
 use crate::attraction::Bounds;
 use crate::sweep::{ClaimedOrbit, SweepCertificate};
@@ -22,19 +22,19 @@ impl SweepCertificate {
     ///
     /// # Errors
     /// Returns an error if a scene's values are beyond the range of exact expressions.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        Ok(self.judge_within(effort, watch)?.0)
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge_within(limits, watch)?.0)
     }
 
     /// The verdict, and how many points are confirmed without a gap from the first point on.
-    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Found, Error> {
+    pub(crate) fn judge_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Found, Error> {
         let watch = Latched::new(watch);
         let mut tally = Tally::default();
         for (event, point) in self.points.iter().enumerate() {
-            let budget = Budget::new(effort.work, effort.parts, &watch);
+            let budget = Budget::new(limits.work, limits.parts, &watch);
             let certificate = Certificate::of_start(point.pair.clone(), point.start.clone());
             let data = Data { budget: budget.clone(), ..Data::new(&point.pair, &point.start)? };
-            let verdict = match point.judged(&certificate, &data, effort.bits) {
+            let verdict = match point.judged(&certificate, &data, limits.bits) {
                 Ok(bits) => Verdict::Confirmed { bits, pieces: 1 },
                 Err(Doubt::Open(_)) if budget.is_stopped() => Verdict::Interrupted { events: 0 },
                 Err(doubt) => doubt.on(event),

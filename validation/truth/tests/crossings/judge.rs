@@ -6,7 +6,7 @@ use impact_pair::exact::Exact;
 use impact_pair::orbit::{Orbit, Settings, Start};
 use impact_pair::watch::Unwatched;
 use impact_pair::{Scene, scene};
-use impact_pair_certificate::{Claims, Effort, Verdict};
+use impact_pair_certificate::{Claims, Limits, Verdict};
 use impact_pair_truth::{Wall, float};
 use rug::Float;
 use serde_json::Value;
@@ -42,8 +42,8 @@ pub struct AnswerVerdict {
     pub words: [String; 2],
 }
 
-/// The effort that a crossing needs; long flights and wide data are for other tests.
-const EFFORT: Effort = Effort { bits: 384, parts: 1 << 6, pieces: 2, work: 1 << 9 };
+/// The limits that a crossing needs; long flights and wide data are for other tests.
+const LIMITS: Limits = Limits { bits: 384, parts: 1 << 6, pieces: 2, work: 1 << 9 };
 
 fn check(document: &str) -> (Finding, String) {
     let Ok(claims) = Claims::parse(document) else { return (Finding::Nothing, "not read".into()) };
@@ -52,7 +52,7 @@ fn check(document: &str) -> (Finding, String) {
     {
         return (Finding::Open, "too large".into());
     }
-    match claims.check_within(&EFFORT, &Unwatched) {
+    match claims.check_within(&LIMITS, &Unwatched) {
         Ok(Verdict::Confirmed { .. }) => (Finding::Right, String::new()),
         Ok(Verdict::Refuted(finding)) => (Finding::Wrong, claims.described(&finding)),
         Ok(Verdict::Undecided(finding)) if finding.message.starts_with("it claims nothing") => {

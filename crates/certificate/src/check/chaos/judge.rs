@@ -11,7 +11,7 @@ use super::words::{Ahead, Counts, Search, Word};
 use super::{Law, STEPS_PER_PLACE, cones};
 use crate::chaos::ChaosCertificate;
 use crate::check::contact::Doubt;
-use crate::check::{Effort, Verdict};
+use crate::check::{Limits, Verdict};
 
 /// Ways to make chains of boxes; any way will do: from cells that are fine to those that leave room for intervals of
 /// parameters, and to those that are finest, for slow expansion.
@@ -39,7 +39,7 @@ impl ChaosCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let law = Law::of(&self.pair)?;
         let mut confirmed = 0;
@@ -51,7 +51,7 @@ impl ChaosCertificate {
             Ok(said) => said,
             Err(doubt) => return Ok(doubt.on(self.count())),
         };
-        let allowed = effort.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
+        let allowed = limits.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
         let each = (allowed / WORDS_PER_WORK).saturating_mul(words.len() as u64); // proposes: when to give up
         let work = Allowance::new(allowed.saturating_add(each), &watch); // proposes: when to give up
         Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {

@@ -20,7 +20,7 @@ use crate::check::data::{Data, Piece};
 use crate::check::step::Landing;
 use crate::check::units::{greatest_speed, period};
 use crate::check::walk::Walk;
-use crate::check::{Effort, FIRST_BITS, Finding, Verdict};
+use crate::check::{FIRST_BITS, Finding, Limits, Verdict};
 use crate::trap::TrapCertificate;
 use impact_pair_document::{Decimal, TrapDocument};
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -37,7 +37,7 @@ impl TrapCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let law = Law::of(&self.pair)?;
         let boxes = match self.boxes() {
@@ -80,7 +80,7 @@ impl TrapCertificate {
         let answer = self.says_what_holds(times).and_then(|()| self.document.words.as_ref().map_or(Ok(()), of_words));
         let answer = answer.map(|()| f64::MANTISSA_DIGITS);
         let answer = match (answer, self.document.entered_at_impact) {
-            (Ok(bits), Some(impact)) => self.enters(&region, impact, effort, &watch)?.map(|more| bits.max(more)), // exact: what is shown
+            (Ok(bits), Some(impact)) => self.enters(&region, impact, limits, &watch)?.map(|more| bits.max(more)), // exact: what is shown
             (answer, _) => answer,
         };
         Ok(match answer {
@@ -166,7 +166,7 @@ impl TrapCertificate {
         &self,
         region: &Region,
         impact: u64,
-        effort: &Effort,
+        limits: &Limits,
         watch: &dyn Watch,
     ) -> Result<Result<u32, Doubt>, Error> {
         let (pair, start) = (&self.pair, &self.start);
@@ -176,7 +176,7 @@ impl TrapCertificate {
             let is_in = state.is_some_and(|state| holds(region, &state));
             return Ok(if is_in { Ok(BITS) } else { Err(open()) });
         }
-        let budget = Budget::new(effort.work, effort.parts, watch);
+        let budget = Budget::new(limits.work, limits.parts, watch);
         let data = Data { budget: budget.clone(), ..Data::new(pair, start)? };
         let certificate = Certificate::of_start(pair.clone(), start.clone());
         let harmonic = pair.harmonic("a region")?;
@@ -192,10 +192,10 @@ impl TrapCertificate {
             if walk.standing.still().is_none() && enters_set(&mut walk, impact, is_in) {
                 return Ok(Ok(bits));
             }
-            if bits >= effort.bits || bits >= MAX_BITS || budget.is_spent() {
+            if bits >= limits.bits || bits >= MAX_BITS || budget.is_spent() {
                 return Ok(Err(open()));
             }
-            bits = (2 * bits).min(effort.bits); // proposes: the bits to try
+            bits = (2 * bits).min(limits.bits); // proposes: the bits to try
         }
     }
 }

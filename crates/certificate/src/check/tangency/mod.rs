@@ -30,7 +30,7 @@ use super::clock::{SetPosition, beside};
 use super::contact::Doubt;
 use super::frame::hull;
 use super::walk::compare;
-use super::{DocumentCheck, Effort, Verdict};
+use super::{DocumentCheck, Limits, Verdict};
 use crate::attraction::Bounds;
 use crate::tangency::{ClaimedTangency, TangencyCertificate};
 use flights::Letter;
@@ -57,7 +57,7 @@ impl TangencyCertificate {
     ///
     /// # Errors
     /// None: a value beyond the range of exact expressions leaves a tangency undecided.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let whole = DocumentCheck {
             contradiction: self.contradiction.as_deref(),
             alike: (!self.are_different()).then_some("two tangencies may be one"),
@@ -65,13 +65,13 @@ impl TangencyCertificate {
             nothing: "there is no tangency to check",
         };
         let claims = self.tangencies.iter().enumerate();
-        Ok(whole.judged(claims, effort, watch, |claim, budget, _| claim.judged(&self.pair, (effort, budget))))
+        Ok(whole.judged(claims, limits, watch, |claim, budget, _| claim.judged(&self.pair, (limits, budget))))
     }
 }
 
 impl ClaimedTangency {
     /// Proves that the claim is a tangency with the claimed properties, and returns the bits used.
-    fn judged(&self, pair: &ImpactPair, (effort, budget): (&Effort, &Budget<'_>)) -> Result<u32, Doubt> {
+    fn judged(&self, pair: &ImpactPair, (limits, budget): (&Limits, &Budget<'_>)) -> Result<u32, Doubt> {
         if let Some(message) = self.contradiction() {
             return Err(Doubt::False(message));
         }
@@ -95,7 +95,7 @@ impl ClaimedTangency {
         let (bits, at, shot) = answer?;
         if let Some(sides) = &self.beside {
             self.compare_sides(&setting, [&sides.two, &sides.none])?;
-            budget.add(effort.work);
+            budget.add(limits.work);
             self.has_sides(sides, (&setting, &range.letters), (&at, &shot), budget)?;
         }
         Ok(bits)

@@ -14,7 +14,7 @@ use super::bifurcation::ParameterFamily;
 use super::budget::Budget;
 use super::contact::Doubt;
 use super::cycles::may_be_same;
-use super::{DocumentCheck, Effort, Verdict};
+use super::{DocumentCheck, Limits, Verdict};
 use crate::bifurcation::ClaimedPoint;
 use crate::windows::{ClaimedWindow, WindowsCertificate};
 use impact_pair_model::Error;
@@ -26,7 +26,7 @@ impl WindowsCertificate {
     ///
     /// # Errors
     /// None: a value beyond the range of exact expressions leaves a window undecided.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let over = ParameterFamily { pair: &self.pair, start: &self.start, key: self.over };
         let whole = DocumentCheck {
             contradiction: self.contradiction.as_deref(),
@@ -35,7 +35,7 @@ impl WindowsCertificate {
             nothing: "there is no window to check",
         };
         let claims = self.windows.iter().enumerate();
-        Ok(whole.judged(claims, effort, watch, |window, budget, watch| window.judged(&over, (effort, budget), watch)))
+        Ok(whole.judged(claims, limits, watch, |window, budget, watch| window.judged(&over, (limits, budget), watch)))
     }
 }
 
@@ -64,13 +64,13 @@ impl ClaimedWindow {
     fn judged(
         &self,
         over: &ParameterFamily<'_>,
-        (effort, budget): (&Effort, &Budget),
+        (limits, budget): (&Limits, &Budget),
         watch: &dyn Watch,
     ) -> Result<u32, Doubt> {
         if !self.is_stable() {
             return Err(Doubt::False("only stable orbits have a window".into()));
         }
-        let orbit = self.orbit.check_within(effort, &Silent(watch)).map_err(|error| Doubt::Open(error.to_string()))?;
+        let orbit = self.orbit.check_within(limits, &Silent(watch)).map_err(|error| Doubt::Open(error.to_string()))?;
         let mut most = match orbit {
             Verdict::Confirmed { bits, .. } => bits,
             Verdict::Refuted(finding) => return Err(Doubt::False(finding.message)),
@@ -78,11 +78,11 @@ impl ClaimedWindow {
             Verdict::Interrupted { .. } => return Err(Doubt::open("interrupted")),
         };
         for end in &self.ends {
-            budget.add(effort.work);
+            budget.add(limits.work);
             most = most.max(end.judged(over, budget, ClaimedPoint::compare_parameter)?); // shown
         }
         if self.stable_between {
-            budget.add(effort.work);
+            budget.add(limits.work);
             most = most.max(self.is_stable_between(over, budget)?); // shown
         }
         Ok(most)

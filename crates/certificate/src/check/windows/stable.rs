@@ -132,7 +132,7 @@ impl Start<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::Effort;
+    use crate::check::Limits;
     use crate::windows::WindowsCertificate;
     use impact_pair_model::watch::Unwatched;
     use serde_json::{Value, json};
@@ -141,7 +141,7 @@ mod tests {
     const FIGURE_16: &str = include_str!("../../../tests/window-of-figure-16.json");
 
     fn budget() -> Budget<'static> {
-        Budget::new(Effort::default().work, Effort::default().parts, &Unwatched)
+        Budget::new(Limits::default().work, Limits::default().parts, &Unwatched)
     }
 
     /// The verdict on the orbits between the ends of a window with another value; the orbit and the ends are not checked.

@@ -16,7 +16,7 @@ use super::span::Span;
 use super::{Law, STEPS_PER_PLACE};
 use crate::cells::CellsCertificate;
 use crate::check::contact::Doubt;
-use crate::check::{Effort, Finding, Verdict};
+use crate::check::{Finding, Limits, Verdict};
 use impact_pair_document::{PeriodDocument, StretchDocument};
 use orbit::{Found, Period};
 
@@ -37,12 +37,12 @@ impl CellsCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
-        Ok(self.judge_within(effort, watch)?.0)
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
+        Ok(self.judge_within(limits, watch)?.0)
     }
 
     /// Returns the verdict, and how many subintervals are confirmed one after another from the first one on.
-    pub(crate) fn judge_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
+    pub(crate) fn judge_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<(Verdict, usize), Error> {
         let watch = Latched::new(watch);
         if let Err((event, doubt)) = self.says_one_thing() {
             return Ok((doubt.on(event), 0));
@@ -50,7 +50,7 @@ impl CellsCertificate {
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
         for (event, stretch) in self.document.stretches.iter().enumerate() {
             if stretch.verdict != StretchVerdict::Undecided {
-                let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
+                let work = Allowance::new(limits.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
                 match self.judged(stretch, &work)? {
                     Err(Doubt::Open(_)) if watch.is_stopped() => {
                         return Ok((Verdict::Interrupted { events: confirmed }, certain));
@@ -132,14 +132,14 @@ impl CellsCertificate {
 pub(in crate::check) fn has_stable_orbit(
     (pair, start): (&ImpactPair, &Start),
     claimed: &PeriodDocument,
-    effort: &Effort,
+    limits: &Limits,
     watch: &dyn Watch,
 ) -> Result<Result<(), Doubt>, Error> {
     let period = match Period::of(claimed) {
         Ok(period) => period,
         Err(doubt) => return Ok(Err(doubt)),
     };
-    let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, watch); // proposes: when to give up
+    let work = Allowance::new(limits.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, watch); // proposes: when to give up
     let mut open = vec![(Law::of(pair)?, 0)];
     while let Some((law, quartered)) = open.pop() {
         match period.exists((pair, start), &law, &work)? {
@@ -206,7 +206,7 @@ mod tests {
     /// Returns whether a stable orbit of a word in `cycles` forcing periods is proved for all amplitudes and restitutions of intervals.
     fn is_proved(values: [&str; 2], word: &str, cycles: u32) -> bool {
         let requested = (&pair(values), &start(-1));
-        has_stable_orbit(requested, &claimed(word, cycles), &Effort::default(), &Unwatched).unwrap().is_ok()
+        has_stable_orbit(requested, &claimed(word, cycles), &Limits::default(), &Unwatched).unwrap().is_ok()
     }
 
     /// The equispaced motion of (66)-(69), whose eigenvalues are complex at the first pair: a set lies in one of many impacts before only.
@@ -243,7 +243,7 @@ mod tests {
     fn v36_an_orbit_that_converges_to_a_doubled_one_does_not_converge_to_half_of_it() {
         let (pair, start) = (pair(["0.475", "0.8"]), start(-5));
         let found = |word: &str, cycles: u32| {
-            let work = Allowance::new(STEPS_PER_PLACE * Effort::default().work, &Unwatched);
+            let work = Allowance::new(STEPS_PER_PLACE * Limits::default().work, &Unwatched);
             let period = Period::of(&claimed(word, cycles)).unwrap();
             period.attracts((&pair, &start), &Law::of(&pair).unwrap(), &work).unwrap().unwrap()
         };

@@ -279,7 +279,7 @@ fn first_impact(pair: &ImpactPair, start: &Start) -> Result<Option<(Wall, Spot)>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::Effort;
+    use crate::check::Limits;
     use crate::check::chaos::STEPS_PER_PLACE;
     use impact_pair_model::watch::Unwatched;
     use std::f64::consts::TAU;
@@ -292,7 +292,7 @@ mod tests {
     fn followed(word: &str, cycles: u32, [alpha, restitution]: [f64; 2], first: (bool, State), room: f64) -> Found {
         let [gap, restitution] = [1.0 / alpha, restitution].map(Span::point);
         let first = (first.0, Set::around(first.1.map(Span::point)));
-        let work = Allowance::new(STEPS_PER_PLACE * Effort::default().work, &Unwatched);
+        let work = Allowance::new(STEPS_PER_PLACE * Limits::default().work, &Unwatched);
         period(word, cycles).follow(first, room, &Law { gap, restitution }, &work).unwrap()
     }
 

@@ -19,7 +19,7 @@ use super::span::Span;
 use super::{BITS, Law, STEPS_PER_PLACE};
 use crate::check::contact::Doubt;
 use crate::check::units::greatest_speed;
-use crate::check::{Effort, Finding, Verdict};
+use crate::check::{Finding, Limits, Verdict};
 use crate::global::{Claimed, GlobalCertificate};
 use basins::{Areas, Known};
 use graph::{Component, Released, Set};
@@ -44,7 +44,7 @@ impl GlobalCertificate {
     ///
     /// # Errors
     /// Returns an error if the scene's values are beyond the range of exact expressions, or if it has several harmonics.
-    pub fn check_within(&self, effort: &Effort, watch: &dyn Watch) -> Result<Verdict, Error> {
+    pub fn check_within(&self, limits: &Limits, watch: &dyn Watch) -> Result<Verdict, Error> {
         let watch = Latched::new(watch);
         let end = |message: String| Finding { event: self.count(), message };
         if let Some(message) = self.contradiction.as_deref() {
@@ -58,18 +58,18 @@ impl GlobalCertificate {
         }
         let mut bits = f64::MANTISSA_DIGITS;
         if let Some(orbits) = self.orbits.as_ref() {
-            match orbits.check_within(effort, &Silent(&watch))? {
+            match orbits.check_within(limits, &Silent(&watch))? {
                 Verdict::Confirmed { bits: most, .. } => bits = bits.max(most), // exact: what is shown
                 Verdict::Interrupted { .. } => return Ok(Verdict::Interrupted { events: 0 }),
                 Verdict::Refuted(finding) => return Ok(Verdict::Refuted(self.placed(finding))),
                 Verdict::Undecided(finding) => return Ok(Verdict::Undecided(self.placed(finding))),
             }
         }
-        if let Err((place, doubt)) = self.holds_horseshoes(effort, &watch)? {
+        if let Err((place, doubt)) = self.holds_horseshoes(limits, &watch)? {
             let is_open = matches!(doubt, Doubt::Open(_)) && !watch.goes_on();
             return Ok(if is_open { Verdict::Interrupted { events: 0 } } else { doubt.on(place) });
         }
-        Ok(match self.covers(effort, &watch)? {
+        Ok(match self.covers(limits, &watch)? {
             Ok(()) => Verdict::Confirmed { bits, pieces: 1 },
             Err(Doubt::Open(_)) if !watch.goes_on() => Verdict::Interrupted { events: 0 },
             Err(doubt) => doubt.on(self.count()),
@@ -90,11 +90,11 @@ impl GlobalCertificate {
     }
 
     /// The map has each horseshoe that a component is claimed to hold, and no other one holds the same. Lemma V37
-    fn holds_horseshoes(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), (usize, Doubt)>, Error> {
+    fn holds_horseshoes(&self, limits: &Limits, watch: &dyn Watch) -> Result<Result<(), (usize, Doubt)>, Error> {
         let law = Law::of(&self.pair)?;
         for (place, claim) in self.claimed.iter().enumerate() {
             let Some(horseshoe) = &claim.horseshoe else { continue };
-            let work = Allowance::new(effort.work.saturating_mul(STEPS_PER_PLACE), watch); // proposes: when to give up
+            let work = Allowance::new(limits.work.saturating_mul(STEPS_PER_PLACE), watch); // proposes: when to give up
             if let Err(doubt) = is_proved(horseshoe, &law, &work) {
                 return Ok(Err((place, doubt)));
             }
@@ -109,7 +109,7 @@ impl GlobalCertificate {
     }
 
     /// The cycle with rests is as claimed, and each recurrent component is one of those claimed, where it is said that there are no others.
-    fn covers(&self, effort: &Effort, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
+    fn covers(&self, limits: &Limits, watch: &dyn Watch) -> Result<Result<(), Doubt>, Error> {
         let law = Law::of(&self.pair)?;
         let Some(space) = Space::new(&law, self.basins().map(|_| self.greatest_speed)) else {
             return Ok(Err(Doubt::open("greatest_speed is not proved to be more than 2/(1 - e)")));
@@ -131,7 +131,7 @@ impl GlobalCertificate {
             return Ok(if is_open { Err(open()) } else { Ok(()) });
         }
         let cycles = self.cycles()?;
-        let mut work = MIN_BOXES.saturating_add(effort.work / 2).saturating_mul(WORK_PER_IMAGE); // exact: what is allowed
+        let mut work = MIN_BOXES.saturating_add(limits.work / 2).saturating_mul(WORK_PER_IMAGE); // exact: what is allowed
         let has_rests = rests.is_some();
         let judge = ComponentChecker {
             space: &space,
