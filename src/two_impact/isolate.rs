@@ -30,7 +30,7 @@ pub(super) struct Interval {
 
 /// The result for a box.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Class {
+enum BoxClass {
     /// The function has this sign.
     Sign(Ordering),
     /// The function rises or falls.
@@ -58,7 +58,7 @@ pub(super) fn zeros(interval: &Interval, f: impl Fn(&Real) -> Option<Jet>) -> Ve
     while let Some(x) = stack.pop() {
         boxes += 1;
         let class = classify(&x, &f);
-        if class == Class::Neither && boxes < MAX_BOXES && x.wid() > least {
+        if class == BoxClass::Neither && boxes < MAX_BOXES && x.wid() > least {
             let [low, high] = x.ends();
             let middle = x.middle();
             stack.push(middle.hull(&high));
@@ -66,14 +66,14 @@ pub(super) fn zeros(interval: &Interval, f: impl Fn(&Real) -> Option<Jet>) -> Ve
             continue;
         }
         match class {
-            Class::Sign(sign) => {
+            BoxClass::Sign(sign) => {
                 parts.extend(row.take().and_then(|row| row.close(Some(sign))));
                 left = Some(sign);
             }
-            Class::Slope | Class::Neither => {
+            BoxClass::Slope | BoxClass::Neither => {
                 let open = row.get_or_insert_with(|| Row { x: x.clone(), is_monotone: true, sign: left });
                 open.x = open.x.hull(&x);
-                open.is_monotone &= class == Class::Slope;
+                open.is_monotone &= class == BoxClass::Slope;
             }
         }
     }
@@ -81,13 +81,13 @@ pub(super) fn zeros(interval: &Interval, f: impl Fn(&Real) -> Option<Jet>) -> Ve
     parts
 }
 
-fn classify(x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> Class {
-    let Some(jet) = f(x) else { return Class::Neither };
+fn classify(x: &Real, f: impl Fn(&Real) -> Option<Jet>) -> BoxClass {
+    let Some(jet) = f(x) else { return BoxClass::Neither };
     let jet = jet.cut(x, f);
     match (jet.value.sign(), jet.slope.sign()) {
-        (Some(sign @ (Ordering::Less | Ordering::Greater)), _) => Class::Sign(sign),
-        (_, Some(Ordering::Less | Ordering::Greater)) => Class::Slope,
-        _ => Class::Neither,
+        (Some(sign @ (Ordering::Less | Ordering::Greater)), _) => BoxClass::Sign(sign),
+        (_, Some(Ordering::Less | Ordering::Greater)) => BoxClass::Slope,
+        _ => BoxClass::Neither,
     }
 }
 

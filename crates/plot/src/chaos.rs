@@ -11,7 +11,9 @@ use impact_pair::scene::Range;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-use crate::picture::{self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, Look, Mark, Path, Plane, SCALE, SKY};
+use crate::picture::{
+    self, Arc, Axis, Canvas, Dots, Drawn, Element, FONT, LegendSymbol, Look, Path, Plane, SCALE, SKY,
+};
 use crate::picture::{VERMILION, greek, hex, legend, program, typeset_text, words};
 use crate::sweep::Cells;
 
@@ -49,7 +51,7 @@ pub fn trap(scene: &Scene, region: &Trap, look: &Look) -> Result<String> {
     picture::svg(look.size(SINGLE_PANEL_SIZE), SCALE, |root| {
         let top = caption(scene, None, proved, (root, look))?;
         let boxes = format!("boxes of 2π/{columns} by 1/{rows}");
-        let height = legend(root, top, &[(Mark::Cell(SKY), boxes), (Mark::Dot(BLACK), floating)])?;
+        let height = legend(root, top, &[(LegendSymbol::Cell(SKY), boxes), (LegendSymbol::Dot(BLACK), floating)])?;
         let (_, below) = root.split_vertically(top + height);
         let axes = [arc.axis(), speeds(region.speed())];
         let plane = Plane::draw(&below, axes, [PHASE_LABEL, SPEED_LABEL], RIGHT_MARGIN)?;
@@ -170,21 +172,21 @@ fn seen(found: &Chaos) -> impl Iterator<Item = &State> {
 }
 
 /// The entries of the legend.
-fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
+fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(LegendSymbol, String)> {
     let mut entries = Vec::new();
     let impacts = seen(found).count();
     if impacts > 0 {
         entries.push((
-            Mark::Dot(BLACK),
+            LegendSymbol::Dot(BLACK),
             format!("{impacts} impacts of a floating-point orbit without its transient: non-rigorous"),
         ));
     }
     if !found.bases().is_empty() {
         let depth = found.depth().min(MAX_IMAGES);
         let later = if depth == 1 { "1 impact".to_owned() } else { format!("1 to {depth} impacts") };
-        entries.push((Mark::Outline(VERMILION), "h-sets".to_owned()));
+        entries.push((LegendSymbol::Outline(VERMILION), "h-sets".to_owned()));
         entries.push((
-            Mark::Line(SKY, IMAGE_WIDTH),
+            LegendSymbol::Line(SKY, IMAGE_WIDTH),
             format!("(a) their images {later} later, up to where they cover an h-set: proved"),
         ));
     }
@@ -192,16 +194,17 @@ fn entries(found: &Chaos, set: Option<&Hyperbolic>) -> Vec<(Mark, String)> {
         let Some(word) = words.first() else { continue };
         let name = typeset_text(&word.in_mappings());
         entries.push((
-            Mark::Line(colour, leaf::STRIP_WIDTH),
+            LegendSymbol::Line(colour, leaf::STRIP_WIDTH),
             format!("(b) images by {name}, which are proved to cover h-sets"),
         ));
     }
     if let Some(set) = set {
         let [strips, leaves, cones] = cones::COLOURS;
         let words = counted(set.words.len() as u32, "word");
-        entries.push((Mark::Cell(strips), format!("(c) strips of the {words} of a uniformly hyperbolic set")));
-        entries.push((Mark::Line(leaves, cones::LEAF_WIDTH), "(c) images that lie across the h-set".to_owned()));
-        entries.push((Mark::Cell(cones), "(c) cones that hold the expanding directions: proved".to_owned()));
+        entries.push((LegendSymbol::Cell(strips), format!("(c) strips of the {words} of a uniformly hyperbolic set")));
+        entries
+            .push((LegendSymbol::Line(leaves, cones::LEAF_WIDTH), "(c) images that lie across the h-set".to_owned()));
+        entries.push((LegendSymbol::Cell(cones), "(c) cones that hold the expanding directions: proved".to_owned()));
     }
     entries
 }

@@ -17,7 +17,7 @@ use plotters::prelude::*;
 
 use crate::chaos::section;
 use crate::orbit::{Frame, Panel, Recorder, Style, Trace, explain, panel, title};
-use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, Look, Mark, Plane, SCALE, SKY};
+use crate::picture::{self, Axis, BLUE, Canvas, Drawn, GREEN, GREY, LegendSymbol, Look, Plane, SCALE, SKY};
 use crate::picture::{VERMILION, greek, legend, program, typeset_text};
 use crate::sweep::value;
 
@@ -113,14 +113,14 @@ fn head(
     let top = picture::caption(root, look, scene.title().unwrap_or("The motion"), &lines)?;
     let Some(region) = found.region() else { return Ok(top) };
     let mut entries = vec![
-        (Mark::Dot(BLACK), "(c) impacts of the certified orbit".to_owned()),
-        (Mark::Cell(SKY), format!("(c) trapping region of {} boxes", region.boxes())),
+        (LegendSymbol::Dot(BLACK), "(c) impacts of the certified orbit".to_owned()),
+        (LegendSymbol::Cell(SKY), format!("(c) trapping region of {} boxes", region.boxes())),
     ];
     if found.horseshoe().is_some() {
-        entries.push((Mark::Outline(VERMILION), "(c) h-sets of the horseshoe".to_owned()));
+        entries.push((LegendSymbol::Outline(VERMILION), "(c) h-sets of the horseshoe".to_owned()));
     }
     let walls = [(BLUE, "(d) impact on the left wall"), (GREEN, "(d) impact on the right wall")];
-    entries.extend(walls.map(|(colour, name)| (Mark::Cell(colour), name.to_owned())));
+    entries.extend(walls.map(|(colour, name)| (LegendSymbol::Cell(colour), name.to_owned())));
     Ok(top + legend(root, top, &entries)?)
 }
 

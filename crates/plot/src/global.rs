@@ -13,7 +13,9 @@ use impact_pair::pair::Wall;
 use plotters::prelude::*;
 
 use crate::chaos::PHASE_LABEL;
-use crate::picture::{self, Axis, BLUE, Canvas, Drawn, Element, GREEN, Look, Mark, ORANGE, PURPLE, Plane, SCALE, SKY};
+use crate::picture::{
+    self, Axis, BLUE, Canvas, Drawn, Element, GREEN, LegendSymbol, Look, ORANGE, PURPLE, Plane, SCALE, SKY,
+};
 use crate::picture::{VERMILION, greek, program};
 use crate::sweep::Cells;
 
@@ -63,22 +65,22 @@ fn colour(found: &Global, component: usize) -> RGBColor {
 }
 
 /// The entries of the legend.
-fn entries(found: &Global) -> Vec<(Mark, String)> {
+fn entries(found: &Global) -> Vec<(LegendSymbol, String)> {
     let is_drawn = |goes: fn(&BasinOutcome) -> bool| found.patches.iter().any(|patch| goes(&patch.goes));
     let attractors =
         (0..found.components.len()).filter(|&i| found.components[i].kind.is_attractor()).take(MAX_COMPONENTS);
-    let mut all: Vec<(Mark, String)> = attractors
-        .map(|i| (Mark::Cell(colour(found, i)), format!("every motion ends in {}: proved", name(found, i))))
+    let mut all: Vec<(LegendSymbol, String)> = attractors
+        .map(|i| (LegendSymbol::Cell(colour(found, i)), format!("every motion ends in {}: proved", name(found, i))))
         .collect();
     if is_drawn(|goes| *goes == BasinOutcome::Undecided) {
-        all.push((Mark::Cell(UNDECIDED_COLOUR), "goes to one of several, or undecided".to_owned()));
+        all.push((LegendSymbol::Cell(UNDECIDED_COLOUR), "goes to one of several, or undecided".to_owned()));
     }
     let within = |is: fn(&Kind) -> bool| found.components.iter().any(|own| is(&own.kind) && own.boxes > 0);
     if within(|kind| matches!(kind, Kind::Saddle(_) | Kind::Grazing)) {
-        all.push((Mark::Cell(VERMILION), "saddles, grazing states".to_owned()));
+        all.push((LegendSymbol::Cell(VERMILION), "saddles, grazing states".to_owned()));
     }
     if within(Kind::is_undecided) {
-        all.push((Mark::Cell(BLACK), "undecided components".to_owned()));
+        all.push((LegendSymbol::Cell(BLACK), "undecided components".to_owned()));
     }
     all
 }

@@ -7,7 +7,7 @@ use impact_pair::exact::Exact;
 use plotters::prelude::*;
 
 use crate::chaos::{PHASE_LABEL, parameters};
-use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, Look, Mark, PURPLE, SCALE, SKY, VERMILION};
+use crate::picture::{self, Arc, Axis, BLUE, Canvas, Element, GREY, LegendSymbol, Look, PURPLE, SCALE, SKY, VERMILION};
 use crate::sweep::{Cells as Rectangles, Plane, described, value};
 
 const SIZE: (u32, u32) = (960, 680);
@@ -100,8 +100,8 @@ fn frame(
     );
     let lines = [parameters(scene, Some(&requested.over)), format!("{bar}; {}", picture::program())];
     let top = picture::caption(root, look, &title, &lines)?;
-    let entries: Vec<(Mark, String)> =
-        named.iter().map(|&number| (Mark::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
+    let entries: Vec<(LegendSymbol, String)> =
+        named.iter().map(|&number| (LegendSymbol::Cell(LEGEND[number].1), LEGEND[number].0.to_owned())).collect();
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height + BAR_DISTANCE + BAR_HEIGHT);
     let axes = [Axis::between(value(requested.over.low()), value(requested.over.high())), arc.axis()];

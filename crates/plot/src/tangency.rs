@@ -10,7 +10,9 @@ use plotters::prelude::*;
 
 use crate::chaos::parameters;
 use crate::orbit::title;
-use crate::picture::{self, Axis, BLUE, Canvas, Dots, Drawn, Element, Look, Mark, Path, Plane, SCALE, VERMILION, hex};
+use crate::picture::{
+    self, Axis, BLUE, Canvas, Dots, Drawn, Element, LegendSymbol, Look, Path, Plane, SCALE, VERMILION, hex,
+};
 use crate::sweep::value;
 
 const SIZE: (u32, u32) = (1200, 940);
@@ -78,10 +80,10 @@ fn head(
     );
     let top = picture::caption(root, look, &name, &[parameters(scene, Some(&found.over)), said])?;
     let entries = [
-        (Mark::Cell(VERMILION), "unstable manifold of the equispaced motion".to_owned()),
-        (Mark::Cell(BLUE), "stable manifold".to_owned()),
-        (Mark::Cell(BLACK), "saddle".to_owned()),
-        (Mark::Ring, "point of tangency".to_owned()),
+        (LegendSymbol::Cell(VERMILION), "unstable manifold of the equispaced motion".to_owned()),
+        (LegendSymbol::Cell(BLUE), "stable manifold".to_owned()),
+        (LegendSymbol::Cell(BLACK), "saddle".to_owned()),
+        (LegendSymbol::Ring, "point of tangency".to_owned()),
     ];
     Ok(top + picture::legend(root, top, &entries)?)
 }

@@ -10,7 +10,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
 use crate::chaos::parameters;
-use crate::picture::{self, Axis, BLUE, Canvas, FONT, GREY, Look, Mark, Plane, SCALE, VERMILION, words};
+use crate::picture::{self, Axis, BLUE, Canvas, FONT, GREY, LegendSymbol, Look, Plane, SCALE, VERMILION, words};
 use crate::sweep::{described, value};
 
 const SIZE: (u32, u32) = (900, 600);
@@ -116,10 +116,10 @@ fn frame(
     let kinds =
         [(true, "both ends and all orbits between proved"), (false, "both ends proved, not all orbits between")];
     let shown = kinds.into_iter().filter(|(kind, _)| all.iter().any(|window| window.is_certified == *kind));
-    let mut entries: Vec<(Mark, String)> =
-        shown.map(|(kind, text)| (Mark::Cell(colour(kind)), text.to_owned())).collect();
+    let mut entries: Vec<(LegendSymbol, String)> =
+        shown.map(|(kind, text)| (LegendSymbol::Cell(colour(kind)), text.to_owned())).collect();
     if own_value(scene, found).is_some_and(|own| is_inside(found, value(own))) {
-        entries.push((Mark::Line(GREY, 2 * SCALE), "the scene's own value".to_owned()));
+        entries.push((LegendSymbol::Line(GREY, 2 * SCALE), "the scene's own value".to_owned()));
     }
     let height = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + height);

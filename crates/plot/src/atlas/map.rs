@@ -12,7 +12,7 @@ use plotters::style::text_anchor::HPos;
 
 use super::curves::{self, Bifurcation, Parameters};
 use super::leaves::{CLASSES, Leaves};
-use crate::picture::{self, Axis, Canvas, Element, FONT, Look, Mark, Plane, SCALE, hex, words};
+use crate::picture::{self, Axis, Canvas, Element, FONT, LegendSymbol, Look, Plane, SCALE, hex, words};
 use crate::sweep::{Cells, described};
 use impact_pair_answers::grid::Points;
 
@@ -65,9 +65,9 @@ fn frame(
     let what = if head.cells { "cells" } else { "points" };
     let entry = |(class, count): (usize, usize)| {
         let (_, colour, words) = CLASSES[class];
-        (Mark::Cell(colour), format!("{words}: {count} {what}"))
+        (LegendSymbol::Cell(colour), format!("{words}: {count} {what}"))
     };
-    let mut entries: Vec<(Mark, String)> = leaves.counts().into_iter().map(entry).collect();
+    let mut entries: Vec<(LegendSymbol, String)> = leaves.counts().into_iter().map(entry).collect();
     if let Some(parameters) = parameters {
         let is_there = |kind: Bifurcation| {
             curves::all()
@@ -77,10 +77,10 @@ fn frame(
         let names: Vec<&str> = kinds.into_iter().filter(|(kind, _)| is_there(*kind)).map(|(_, name)| name).collect();
         if !names.is_empty() {
             let of = "of equispaced motions (66)-(69), N = 1, 3, 5";
-            entries.push((Mark::Line(BLACK, CURVE_WIDTH), format!("{} {of}", names.join(" and "))));
+            entries.push((LegendSymbol::Line(BLACK, CURVE_WIDTH), format!("{} {of}", names.join(" and "))));
         }
         if !parameters.figures(leaves.range()).is_empty() {
-            entries.push((Mark::Ring, "the paper's figures".to_owned()));
+            entries.push((LegendSymbol::Ring, "the paper's figures".to_owned()));
         }
     }
     let height = picture::legend(root, top, &entries)?;

@@ -5,7 +5,7 @@ use impact_pair::number::Ball;
 use impact_pair::orbit::{Course, Impact, Orbit, Outcome, Progress, Settings};
 use impact_pair::pair::Wall;
 
-use super::trace::{Crossing, Kind, Mark, Part, Point, Span, Stroke, Trace};
+use super::trace::{Crossing, Kind, MarkedEvent, Part, Point, Span, Stroke, Trace};
 
 /// Points of a flight: per forcing period, and the least number.
 const POINTS_PER_PERIOD: f64 = 96.0;
@@ -159,7 +159,7 @@ impl Recorder {
     fn touch(&mut self, orbit: &Orbit, kind: Kind, phase: Phase) {
         self.follow(orbit, phase);
         let point = self.point(orbit, phase).filter(|point| point.at <= self.window);
-        self.trace.marks.extend(point.map(|point| Mark { kind, point }));
+        self.trace.marks.extend(point.map(|point| MarkedEvent { kind, point }));
         (self.last, self.after) = (phase, None);
     }
 

@@ -96,7 +96,7 @@ pub enum Kind {
 
 /// An event other than an impact, and its place.
 #[derive(Clone, Copy, Debug)]
-pub struct Mark {
+pub struct MarkedEvent {
     pub kind: Kind,
     pub point: Point,
 }
@@ -131,7 +131,7 @@ pub struct Trace {
     /// Flights, jumps and rests.
     pub strokes: Vec<Stroke>,
     /// Events.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<MarkedEvent>,
     /// Impacts.
     pub crossings: Vec<Crossing>,
     /// `d/2`

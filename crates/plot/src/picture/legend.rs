@@ -10,7 +10,7 @@ const LINE_HEIGHT: i32 = 22 * SCALE;
 
 /// The symbol of an entry of a legend.
 #[derive(Clone, Copy, Debug)]
-pub enum Mark {
+pub enum LegendSymbol {
     /// A filled area.
     Cell(RGBColor),
     /// A ring.
@@ -30,7 +30,11 @@ const HALF_MARK: i32 = 5 * SCALE;
 ///
 /// # Errors
 /// Returns an error if the legend cannot be drawn.
-pub fn legend(root: &Canvas<'_>, top: i32, entries: &[(Mark, String)]) -> Result<i32, Box<dyn std::error::Error>> {
+pub fn legend(
+    root: &Canvas<'_>,
+    top: i32,
+    entries: &[(LegendSymbol, String)],
+) -> Result<i32, Box<dyn std::error::Error>> {
     let (left, right) = (24 * SCALE, root.dim_in_pixel().0 as i32 - 16 * SCALE);
     let (mut x, mut line) = (left, 0);
     for (mark, name) in entries {
@@ -46,7 +50,7 @@ pub fn legend(root: &Canvas<'_>, top: i32, entries: &[(Mark, String)]) -> Result
     Ok(if entries.is_empty() { 0 } else { LINE_HEIGHT * (line + 1) })
 }
 
-impl Mark {
+impl LegendSymbol {
     fn draw(self, root: &Canvas<'_>, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
         let thin = |colour: RGBColor| colour.stroke_width(3 * SCALE as u32 / 2);
         match self {

@@ -26,7 +26,7 @@ pub use caption::{FONT, caption, program, wrapped};
 pub use dots::Dots;
 pub use file::{encoded, path};
 pub use hull::hull;
-pub use legend::{Mark, legend};
+pub use legend::{LegendSymbol, legend};
 pub use look::Look;
 pub use math::{greek, letters, typeset_text};
 pub use path::{Path, Place, hermite};

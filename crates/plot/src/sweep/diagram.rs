@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use super::Show;
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, double, middle, value};
-use crate::picture::{self, Axis, BLUE, Canvas, GREEN, Look, Mark, SCALE, VERMILION};
+use crate::picture::{self, Axis, BLUE, Canvas, GREEN, LegendSymbol, Look, SCALE, VERMILION};
 use impact_pair::json::{SweepHead, SweepImpact, SweepRecord};
 use impact_pair::scene::Range;
 use impact_pair_answers::grid::Points;
@@ -24,14 +24,14 @@ const BAR_HEIGHT: i32 = 8 * SCALE;
 
 /// The kind of outcome of a point in a diagram; later ones are drawn on top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Class {
+enum PointClass {
     UndecidedLimit,
     Attracted,
     Settled,
     Undecided,
 }
 
-impl Class {
+impl PointClass {
     fn of(record: &SweepRecord) -> Self {
         match record.outcome {
             PointOutcome::Attracted => Self::Attracted,
@@ -72,8 +72,8 @@ pub fn draw(
 ) -> Drawn<String> {
     let (present, greatest) = survey(sweep)?;
     let top = legend::caption(&sweep.head, (root, look))?;
-    let entries: Vec<(Mark, String)> =
-        present.iter().map(|class| (Mark::Cell(class.colour()), class.name().to_owned())).collect();
+    let entries: Vec<(LegendSymbol, String)> =
+        present.iter().map(|class| (LegendSymbol::Cell(class.colour()), class.name().to_owned())).collect();
     let lines = picture::legend(root, top, &entries)?;
     let (_, below) = root.split_vertically(top + lines);
     let across = Axis::between(value(axis.low()), value(axis.high()));
@@ -89,10 +89,10 @@ pub fn draw(
     let spacing = (right - left) / i32::try_from(axis.points() - 1).unwrap_or(i32::MAX);
     // Each point has its own column beside its neighbours' columns, or shares the narrowest visible column.
     let (grain, width) = if spacing < MIN_CELL { (MIN_CELL, MIN_CELL) } else { (1, (spacing + 1).min(MAX_CELL)) };
-    let mut columns: BTreeMap<Class, Columns> = BTreeMap::new();
+    let mut columns: BTreeMap<PointClass, Columns> = BTreeMap::new();
     let mut bars = Cells::default();
     sweep.each_record(|record| {
-        let class = Class::of(&record);
+        let class = PointClass::of(&record);
         let column = plane.column(value(&axis.value(record.point, axis.points() - 1)?));
         for state in &record.states {
             // A box if it is wide enough to be seen, from its upper bound down.
@@ -108,7 +108,7 @@ pub fn draw(
                 rows.dedup();
             }
         }
-        if class == Class::Undecided {
+        if class == PointClass::Undecided {
             bars.add((column - width / 2, plane.pixels[1].0 - BAR_HEIGHT), (width.max(SCALE), BAR_HEIGHT));
         }
         Ok(())
@@ -118,10 +118,10 @@ pub fn draw(
 }
 
 /// The classes that occur, and the greatest speed.
-fn survey(sweep: &mut Points<SweepHead>) -> Drawn<(Vec<Class>, f64)> {
+fn survey(sweep: &mut Points<SweepHead>) -> Drawn<(Vec<PointClass>, f64)> {
     let (mut present, mut greatest) = (Vec::new(), f64::MIN_POSITIVE);
     sweep.each_record(|record| {
-        present.push(Class::of(&record));
+        present.push(PointClass::of(&record));
         present.sort_unstable();
         present.dedup();
         for state in &record.states {
@@ -142,9 +142,9 @@ fn bounds(state: &SweepImpact, show: Show) -> anyhow::Result<[f64; 2]> {
 }
 
 /// The cells of a class; adjacent cells of a column are joined.
-fn path(class: Class, columns: Columns, (grain, width): (i32, i32)) -> String {
+fn path(class: PointClass, columns: Columns, (grain, width): (i32, i32)) -> String {
     // Lines are drawn thick enough to be seen, dense clouds are not.
-    let edge = if class == Class::UndecidedLimit && width < MAX_CELL { 0 } else { EDGE_WIDTH };
+    let edge = if class == PointClass::UndecidedLimit && width < MAX_CELL { 0 } else { EDGE_WIDTH };
     let mut cells = Cells::default();
     for (column, mut rows) in columns {
         rows.sort_unstable();

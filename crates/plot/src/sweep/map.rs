@@ -12,7 +12,7 @@ use plotters::prelude::*;
 use super::kind::{Outcomes, UNDECIDED_COLOUR};
 use super::legend::{self, described};
 use super::{Cells, Drawn, Plane, value};
-use crate::picture::{self, Axis, Canvas, Look, Mark, SCALE, hex};
+use crate::picture::{self, Axis, Canvas, LegendSymbol, Look, SCALE, hex};
 
 /// Radius of the ring around an attractor.
 const RING_RADIUS: i32 = 6 * SCALE;
@@ -24,9 +24,9 @@ pub fn draw(sweep: &mut Points<SweepHead>, grid: &Grid, (root, look): (&Canvas<'
     let [x, y] = grid.axes() else { return Err("a map has two axes".into()) };
     let outcomes = Outcomes::of(sweep, false)?;
     let top = legend::caption(&sweep.head, (root, look))?;
-    let legend = outcomes.legend().into_iter().map(|(colour, name)| (Mark::Cell(colour), name));
+    let legend = outcomes.legend().into_iter().map(|(colour, name)| (LegendSymbol::Cell(colour), name));
     let rings = outcomes.rings();
-    let ring_entry = (!rings.is_empty()).then(|| (Mark::Ring, RING_NAME.to_owned()));
+    let ring_entry = (!rings.is_empty()).then(|| (LegendSymbol::Ring, RING_NAME.to_owned()));
     let entries: Vec<_> = legend.chain(ring_entry).collect();
     let lines = picture::legend(root, top, &entries)?;
     let (_, area) = root.split_vertically(top + lines + 10 * SCALE);

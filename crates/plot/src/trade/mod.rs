@@ -55,7 +55,7 @@ impl Kind {
 }
 
 /// A measured arithmetic as a marker of the plot.
-struct Mark {
+struct Marker {
     kind: Kind,
     digits: f64,
     microseconds: f64,
@@ -63,7 +63,7 @@ struct Mark {
     label: String,
 }
 
-impl Mark {
+impl Marker {
     /// `None` when there is nothing to draw: no impact, or no error known.
     fn of(measured: &Measured, trade: &Trade<'_>) -> Option<Self> {
         let kind = Kind::of(measured);
@@ -136,7 +136,7 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
         .draw()?;
 
     let area = chart.plotting_area();
-    let pixel = |mark: &Mark| area.map_coordinate(&(mark.digits, mark.microseconds));
+    let pixel = |mark: &Marker| area.map_coordinate(&(mark.digits, mark.microseconds));
     let points: Vec<(i32, i32)> = marks.iter().map(pixel).collect();
     let (x, y) = area.get_pixel_range();
     let frame = Area {
@@ -153,8 +153,8 @@ fn draw(trade: &Trade<'_>, (root, look): (&Canvas<'_>, &Look)) -> Drawn {
 }
 
 /// The marks of the arithmetics; marks with enclosures of width zero lie beyond all others.
-fn marks(trade: &Trade<'_>) -> Vec<Mark> {
-    let mut marks: Vec<Mark> = trade.rows.iter().filter_map(|measured| Mark::of(measured, trade)).collect();
+fn marks(trade: &Trade<'_>) -> Vec<Marker> {
+    let mut marks: Vec<Marker> = trade.rows.iter().filter_map(|measured| Marker::of(measured, trade)).collect();
     let finite = marks.iter().map(|mark| mark.digits).filter(|digits| digits.is_finite());
     let beyond = ZERO_WIDTH_FACTOR * finite.fold(10.0, f64::max);
     for mark in marks.iter_mut().filter(|mark| mark.digits.is_infinite()) {
@@ -164,7 +164,7 @@ fn marks(trade: &Trade<'_>) -> Vec<Mark> {
 }
 
 /// Writes the names of marks beside these points, with lines to distant names.
-fn names(marks: &[Mark], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>) -> Drawn {
+fn names(marks: &[Marker], points: &[(i32, i32)], frame: &Area, root: &Canvas<'_>) -> Drawn {
     let boxes: Vec<Label> = marks
         .iter()
         .zip(points)
@@ -205,7 +205,7 @@ fn caption(trade: &Trade<'_>, root: &Canvas<'_>) -> Drawn {
 }
 
 /// Draws the legend: the symbols of the kinds, and the hollow symbols of orbits that end early.
-fn legend(marks: &[Mark], above: i32, root: &Canvas<'_>) -> Drawn {
+fn legend(marks: &[Marker], above: i32, root: &Canvas<'_>) -> Drawn {
     let say = |text: &str, x: i32, y: i32| Text::new(text.to_owned(), (x, y), words(FONT, &BLACK, HPos::Left));
     let width = |text: &str| (LETTER_WIDTH * f64::from(FONT) * text.chars().count() as f64) as i32;
     let (mut x, y) = (24, above + 14);
