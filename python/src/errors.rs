@@ -28,7 +28,9 @@ impl From<Failure> for Fault {
             Failure::Input { error, .. } => Self::Ours(*error),
             Failure::Option { option, value, error } => Self::keyed(*error, &keyword(&option), &value),
             Failure::Value { option, value, accepted } => Self::range(&keyword(&option), value, &accepted),
-            Failure::Question(message) => Self::Said { class: "RangeError", message, key: None, value: None },
+            Failure::Question(said) => {
+                Self::Said { class: "RangeError", message: said.in_python(), key: None, value: None }
+            }
         }
     }
 }

@@ -53,6 +53,13 @@ def test_every_verb_has_its_class():
     assert sorted(known) == sorted([*ANSWERS, "run"])
 
 
+def test_options_are_named_as_keywords_in_refusals(cli):
+    with pytest.raises(impact_pair.RangeError, match=r"^no_orbit applies to one range, but over gap=\.\.\. is divided into 3 cells$"):
+        ask(question("figure-14", "chaos", over="gap=9..10:3", **{"no-orbit": True}))
+    said = cli.error("chaos", "scenes/figure-14.toml", "--over", "gap=9..10:3", "--no-orbit")
+    assert "--no-orbit applies to one range, but --over gap=... is divided into 3 cells" in said
+
+
 @pytest.mark.parametrize(
     ("change", "error", "said"),
     [

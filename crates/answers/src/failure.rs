@@ -4,6 +4,8 @@ use impact_pair::Error;
 use impact_pair::scene::Range;
 use thiserror::Error as ThisError;
 
+use crate::Sentence;
+
 /// Why a question has no answer: a value is not accepted.
 #[derive(Clone, Debug, ThisError)]
 pub enum Failure {
@@ -43,7 +45,7 @@ pub enum Failure {
     },
     /// The question is none: it is malformed, or an option is missing or unknown.
     #[error("{0}")]
-    Question(String),
+    Question(Sentence),
 }
 
 impl Failure {
@@ -60,8 +62,8 @@ impl Failure {
         }
     }
 
-    /// The error of a question whose scene is malformed.
+    /// The error of a question that is malformed.
     pub(crate) fn malformed(what: impl std::fmt::Display) -> Self {
-        Self::Question(what.to_string())
+        Self::Question(what.to_string().into())
     }
 }

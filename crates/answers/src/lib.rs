@@ -70,7 +70,7 @@ pub use periodic::PeriodicOptions;
 pub use picture::Picture;
 pub use question::Question;
 pub use run::{CSV_HEADER, Listing, RunOptions, csv_row};
-pub use status::{Status, Step};
+pub use status::{Sentence, Status, Step};
 pub use sweep::SweepOptions;
 pub use tangency::TangencyOptions;
 pub use trade::TradeOptions;

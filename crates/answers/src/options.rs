@@ -102,7 +102,7 @@ fn refused(option: &str, value: &str, accepted: &str) -> Failure {
 fn unknown(command: &Command, name: &str) -> Failure {
     let names: Vec<String> = command.get_arguments().map(name_of).collect();
     let verb = command.get_name();
-    Failure::Question(format!("{name} is not an option of {verb}: accepted are {}", names.join(", ")))
+    Failure::malformed(format!("{name} is not an option of {verb}: accepted are {}", names.join(", ")))
 }
 
 /// The refusal of the parser of the command line, in terms of options and values.
@@ -117,11 +117,11 @@ fn failure(error: &clap::Error) -> Failure {
     let option = argument.trim_start_matches("--").split([' ', '=']).next().unwrap_or_default().to_owned();
     let value = named(ContextKind::InvalidValue);
     match error.kind() {
-        ErrorKind::MissingRequiredArgument => Failure::Question(format!("{option} is missing")),
+        ErrorKind::MissingRequiredArgument => Failure::malformed(format!("{option} is missing")),
         ErrorKind::ArgumentConflict => {
             let other = named(ContextKind::PriorArg);
             let other = other.trim_start_matches("--").split(' ').next().unwrap_or_default().to_owned();
-            Failure::Question(format!("{option} and {other} exclude one another"))
+            Failure::malformed(format!("{option} and {other} exclude one another"))
         }
         ErrorKind::InvalidValue => refused(&option, &value, &format!("accepted is {}", named(ContextKind::ValidValue))),
         _ => match error.source() {
@@ -129,7 +129,7 @@ fn failure(error: &clap::Error) -> Failure {
                 Some(error) => Failure::Option { option, value, error: Box::new(error.clone()) },
                 None => refused(&option, &value, &source.to_string()),
             },
-            None => Failure::Question(error.to_string()),
+            None => Failure::malformed(error),
         },
     }
 }

@@ -6,8 +6,12 @@ use std::fmt::{self, Display};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Status {
     is_complete: bool,
-    sentence: Vec<Piece>,
+    sentence: Sentence,
 }
+
+/// Words in which options are named as the reader gives them: on the command line, or as keywords of Python.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sentence(Vec<Piece>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Piece {
@@ -76,24 +80,63 @@ impl Display for Step {
     }
 }
 
+impl Sentence {
+    /// The sentence with more words.
+    #[must_use]
+    pub fn say(mut self, words: impl Into<String>) -> Self {
+        self.0.push(Piece::Words(words.into()));
+        self
+    }
+
+    /// The sentence with a step.
+    #[must_use]
+    pub fn step(mut self, step: Step) -> Self {
+        self.0.push(Piece::Step(step));
+        self
+    }
+
+    /// The sentence, in which options are keywords of Python.
+    pub fn in_python(&self) -> String {
+        let text = |piece: &Piece| match piece {
+            Piece::Words(words) => words.clone(),
+            Piece::Step(step) => step.in_python(),
+        };
+        self.0.iter().map(text).collect()
+    }
+}
+
+impl From<String> for Sentence {
+    fn from(words: String) -> Self {
+        Self::default().say(words)
+    }
+}
+
+/// The sentence, in which options are those of the command line.
+impl Display for Sentence {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|piece| match piece {
+            Piece::Words(words) => out.write_str(words),
+            Piece::Step(step) => step.fmt(out),
+        })
+    }
+}
+
 impl Status {
     /// A status whose sentence begins with these words.
     pub fn new(is_complete: bool, words: impl Into<String>) -> Self {
-        Self { is_complete, sentence: vec![Piece::Words(words.into())] }
+        Self { is_complete, sentence: Sentence::default().say(words) }
     }
 
     /// The status with more words.
     #[must_use]
-    pub fn say(mut self, words: impl Into<String>) -> Self {
-        self.sentence.push(Piece::Words(words.into()));
-        self
+    pub fn say(self, words: impl Into<String>) -> Self {
+        Self { sentence: self.sentence.say(words), ..self }
     }
 
     /// The status with a step.
     #[must_use]
-    pub fn step(mut self, step: Step) -> Self {
-        self.sentence.push(Piece::Step(step));
-        self
+    pub fn step(self, step: Step) -> Self {
+        Self { sentence: self.sentence.step(step), ..self }
     }
 
     /// True if all that was requested is certified.
@@ -103,7 +146,7 @@ impl Status {
 
     /// The steps that are known to help.
     pub fn steps(&self) -> impl Iterator<Item = Step> {
-        self.sentence.iter().filter_map(|piece| match piece {
+        self.sentence.0.iter().filter_map(|piece| match piece {
             Piece::Step(step) => Some(*step),
             Piece::Words(_) => None,
         })
@@ -111,21 +154,14 @@ impl Status {
 
     /// The sentence, in which options are keywords of Python.
     pub fn in_python(&self) -> String {
-        let text = |piece: &Piece| match piece {
-            Piece::Words(words) => words.clone(),
-            Piece::Step(step) => step.in_python(),
-        };
-        self.sentence.iter().map(text).collect()
+        self.sentence.in_python()
     }
 }
 
 /// The sentence, in which options are those of the command line.
 impl Display for Status {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.sentence.iter().try_for_each(|piece| match piece {
-            Piece::Words(words) => out.write_str(words),
-            Piece::Step(step) => step.fmt(out),
-        })
+        self.sentence.fmt(out)
     }
 }
 

@@ -16,7 +16,7 @@ use impact_pair::watch::Watch;
 use impact_pair::{Effort, Error, Scene};
 
 use crate::values::{PrecisionArguments, count};
-use crate::{Answer, Asked, Failure, Format, Picture, Status, Step, TABLE_OR_JSON, Verb, heading, line};
+use crate::{Answer, Asked, Failure, Format, Picture, Sentence, Status, Step, TABLE_OR_JSON, Verb, heading, line};
 
 /// Options of `tangency`.
 #[derive(Args, Clone, Debug)]
@@ -54,9 +54,8 @@ fn over(text: &str) -> Result<Over, impact_pair::Error> {
 fn beside(scene: &Scene) -> Result<Range, Failure> {
     let gap = scene.pair().gap();
     if !gap.is_point() {
-        let message =
-            format!("--over is missing, but pair.gap is the interval {gap}: accepted is the range of one parameter");
-        return Err(Failure::Question(message));
+        let why = format!(" is missing, but pair.gap is the interval {gap}: accepted is the range of one parameter");
+        return Err(Failure::Question(Sentence::default().step(Step::Name("over")).say(why)));
     }
     let end = |part: &str| {
         let end = gap.checked_mul(&part.parse().expect("a number"));

@@ -18,7 +18,9 @@ use impact_pair::{Effort, Error, Scene};
 use serde::Deserialize;
 
 use crate::values::whole;
-use crate::{Answer, Asked, Counts, Failure, Format, Input, Picture, Status, TABLE_OR_JSON, Verb, heading, line};
+use crate::{
+    Answer, Asked, Counts, Failure, Format, Input, Picture, Sentence, Status, Step, TABLE_OR_JSON, Verb, heading, line,
+};
 
 /// Options of `chaos`.
 #[derive(Args, Clone, Debug)]
@@ -64,7 +66,7 @@ fn read_bases(input: &Input) -> Result<Vec<HSet>, Failure> {
         error: Box::new(Error::certificate(error.to_string())),
     })?;
     if read.bases.is_empty() {
-        return Err(Failure::Question(format!("{name} has no h-sets: its list \"bases\" is empty")));
+        return Err(Failure::malformed(format!("{name} has no h-sets: its list \"bases\" is empty")));
     }
     Ok(read.bases.iter().map(HSet::from).collect())
 }
@@ -140,10 +142,10 @@ impl Verb for ChaosOptions {
         };
         let single = [(!bases.is_empty(), "bases"), (self.no_orbit, "no-orbit"), (self.hyperbolic, "hyperbolic")];
         if let Some((_, option)) = single.iter().find(|(is_given, _)| *is_given) {
+            let said = Sentence::default().step(Step::Name(option)).say(" applies to one range, but ");
             let key = over.key();
-            let message =
-                format!("--{option} applies to one range, but --over {key}=... is divided into {cells} cells");
-            return Err(Failure::Question(message));
+            let said = said.step(Step::Name("over")).say(format!(" {key}=... is divided into {cells} cells"));
+            return Err(Failure::Question(said));
         }
         let halvings = RangeSettings::halvings(self.effort);
         let depth = self.depth.unwrap_or(DEFAULT_DEPTH) as usize;
