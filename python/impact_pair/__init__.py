@@ -112,20 +112,8 @@ def solve(
         The wall of the start; not with ``y0``.
     y0 : number or tuple, optional
         Relative displacement at a start inside the gap, from its middle [length].
-    impacts : int, default 100 without ``until``
-        Number of impacts to stop after.
-    until : number, optional
-        Time to stop at [time].
-    digits : int, default 9
-        Requested width of enclosures, at most 10^-digits: of times relative to 2 pi/W, of velocities relative to A W.
-    arithmetic : {"auto", "float", "interval", "inari", "shadow"} or int, default "auto"
-        The arithmetic, or a number of bits; ``"float"`` certifies nothing.
-    max_bits : int, default 1000000
-        Maximum precision of ``"auto"``, in bits.
-    progress : bool or callable, optional
-        A bar of tqdm, or a function that receives the number of impacts.
-    keep_partial : bool, default False
-        Whether Ctrl-C returns the orbit that is certified until then; its ``interrupted`` is true.
+    impacts, until, digits, arithmetic, max_bits, progress, keep_partial
+        How far the orbit is followed, and how, as in :meth:`Scene.run`.
 
     Returns
     -------

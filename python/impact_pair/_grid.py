@@ -15,7 +15,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 #: The keys that vary, each with its first value, its last one and their number, or with evenly spaced values.
 Over: TypeAlias = "Mapping[str, tuple[Value, Value, int] | Sequence[float] | Doubles]"
+
+Result = TypeVar("Result", bound="GridResult")
 
 #: The largest ratio of a chunk to the last ones: the first ones determine the rate.
 GROWTH = 8
@@ -101,7 +103,7 @@ class Rate:
 
 
 def question(scene: str, verb: str, over: Over, options: Mapping[str, Any]) -> Question:
-    """Return the question of a sweep or an atlas of a scene, with options as keywords."""
+    """Return the question of a sweep or an atlas of a scene, with options by keyword."""
     if not isinstance(over, Mapping):
         raise RangeError(f'over is {over!r}, but must be a dict, such as {{"amplitude": (1, 10, 1000)}}', "over", repr(over))
     return Question(scene, verb, options_of({"over": [axis(key, values) for key, values in over.items()], **options}))
@@ -247,6 +249,11 @@ class GridResult:
 
     def __init__(self, question: Question, core: _core.Grid) -> None:
         self._question, self._core = question, core
+
+    @classmethod
+    def of(cls: type[Result], question: Question, **how: Any) -> Result:
+        """Return the answer to a question, computed as of :func:`computed`."""
+        return cls(question, computed(question, **how))
 
     @cached_property
     def head(self) -> dict[str, Any]:

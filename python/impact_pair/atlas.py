@@ -4,40 +4,16 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from concurrent.futures import Executor
+from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from ._file import ending, parquet, write
-from ._grid import GridResult, Over, arrays, arrow, computed, flat, question
-from ._progress import Progress
+from ._grid import GridResult, arrays, arrow, flat
 
 #: The endings of files that an atlas is written into.
 ENDINGS = (".csv", ".jsonl", ".parquet", ".svg", ".html")
-
-
-def atlas(
-    scene: str,
-    over: Over,
-    options: Mapping[str, Any],
-    *,
-    executor: Executor | None = None,
-    workers: int | None = None,
-    resume: str | os.PathLike[str] | None = None,
-    seconds: float = 10.0,
-    progress: Progress = None,
-) -> AtlasResult:
-    """Prove where every motion goes at each point of a grid of two parameters, or for all parameters of cells.
-
-    ``over`` has the two keys that vary, as for a sweep: ``{"amplitude": (0.1, 3, 16), "restitution": (0, 0.9, 12)}``; with ``cells`` the
-    counts are those of the smallest cells along each axis. The start of the scene is not used. ``executor``, ``workers``, ``resume`` and
-    ``seconds`` are those of :func:`impact_pair.sweep.sweep`.
-    """
-    asked = question(scene, "atlas", over, options)
-    how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-    return AtlasResult(asked, computed(asked, **how))
 
 
 class AtlasResult(GridResult):

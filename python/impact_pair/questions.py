@@ -8,9 +8,12 @@ from typing import Any
 
 from . import _core, answers
 from ._document import Document
-from ._progress import Progress
+from ._grid import GridResult, Question
+from ._progress import Progress, kept
+from .atlas import AtlasResult
 from .errors import RangeError
 from .scene import Scene, tables_of
+from .sweep import SweepResult
 
 #: The answer of each verb but ``run``.
 ANSWERS: dict[str, type[Document]] = {
@@ -29,7 +32,13 @@ ANSWERS: dict[str, type[Document]] = {
 }
 
 
-def ask(question: str | Mapping[str, Any], *, picture: bool = False, progress: Progress = None, keep_partial: bool = False) -> Document:
+#: The answer of each verb over a grid.
+GRIDS: dict[str, type[GridResult]] = {"atlas": AtlasResult, "sweep": SweepResult}
+
+
+def ask(
+    question: str | Mapping[str, Any], *, picture: bool = False, progress: Progress = None, keep_partial: bool = False
+) -> Document | GridResult:
     """Answer a question that is written as JSON: a verb, a scene and options.
 
     Every answer is that of the method of :class:`Scene` with the name of the verb: ``run`` returns an :class:`Orbit`, ``trap`` a
@@ -51,7 +60,8 @@ def ask(question: str | Mapping[str, Any], *, picture: bool = False, progress: P
     Returns
     -------
     Document
-        The answer; ``document`` is the JSON of the command line.
+        The answer; ``document`` is the JSON of the command line. A ``SweepResult`` or ``AtlasResult`` for ``sweep`` and ``atlas``, whose
+        option ``over`` is a list such as ``["amplitude=1..10:40"]``.
 
     Raises
     ------
@@ -75,6 +85,8 @@ def ask(question: str | Mapping[str, Any], *, picture: bool = False, progress: P
     scene = Scene.from_dict(tables_of(json.loads(document)))
     if verb == "run":
         return scene._run(options, None, (progress, keep_partial))
+    if verb in GRIDS:
+        return kept(GRIDS[verb].of(Question(scene.text, verb, options), progress=progress), keep_partial)
     return scene._ask(kind_of(verb, json.loads(options)), (verb, options), ("steps", None), (picture, progress, keep_partial))
 
 

@@ -15,14 +15,14 @@ from . import _core, answers
 from ._document import Document
 from ._exact import IMPACTS, Number, Value, doubles_of, optional_whole, options_of, single, string, text, texts, whole
 from ._file import read
-from ._grid import Over, spaced
+from ._grid import Over, question, spaced
 from ._progress import Progress, kept, reporting
-from .atlas import AtlasResult, atlas
+from .atlas import AtlasResult
 from .bounds import doubles
 from .boxes import BoxImages, box_map
 from .errors import Error, ListError, RangeError, SceneError
 from .orbit import Flights, Orbit
-from .sweep import SweepResult, sweep
+from .sweep import SweepResult
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -383,11 +383,24 @@ class Scene:
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> SweepResult:
-        """Certify an orbit at each point of a grid; see :func:`impact_pair.sweep.sweep`."""
+        """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
+
+        ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
+        endpoints included; an array or a list such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number,
+        and the values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
+        frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
+        and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
+
+        ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
+        without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
+        ``workers`` as it has. With ``resume`` finished points are kept in that folder, in a file named by a hash of scene, grid and
+        version: called again after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
+        :class:`impact_pair.Stopped`, whose ``partial`` has the finished points and is ``interrupted``.
+        """
         options = {"transient": transient, "impacts": impacts, "digits": digits, "arithmetic": arithmetic}
         options |= {"max_bits": max_bits, "summary": summary}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return kept(sweep(self._text, over, options, **how), keep_partial)  # type: ignore[arg-type]
+        return kept(SweepResult.of(question(self._text, "sweep", over, options), **how), keep_partial)
 
     def atlas(
         self,
@@ -404,15 +417,17 @@ class Scene:
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> AtlasResult:
-        """Prove where every motion goes over the plane of two parameters; see :func:`impact_pair.atlas.atlas`.
+        """Prove where every motion goes at each point of a grid of two parameters, or for all parameters of cells.
 
+        ``over`` has the two keys that vary, as for :meth:`sweep`; with ``cells`` the counts are those of the smallest cells along each
+        axis. The start of the scene is not used. ``executor``, ``workers``, ``resume`` and ``seconds`` are those of :meth:`sweep`.
         ``effort`` multiplies the work for each point or cell: about 300,000 boxes in all for a point, 20,000 for a cell. With
         ``horseshoes`` undecided components of a point, and of a smallest cell, are searched for horseshoes of words of at most that many
         impacts.
         """
         options = {"cells": cells, "effort": effort, "horseshoes": horseshoes, "digits": digits}
         how = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-        return kept(atlas(self._text, over, options, **how), keep_partial)  # type: ignore[arg-type]
+        return kept(AtlasResult.of(question(self._text, "atlas", over, options), **how), keep_partial)
 
     def periodic(
         self,

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping
-from concurrent.futures import Executor
+from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from . import _cf
 from ._file import ending, parquet, write
-from ._grid import GridResult, Over, arrays, arrow, computed, flat, question
-from ._progress import Progress
+from ._grid import GridResult, arrays, arrow, flat
 from .errors import RangeError
 
 #: The rows of a table: impacts and points, distinguished by the column ``record``, or only one of these.
@@ -28,36 +26,6 @@ _MapOutcomes: TypeAlias = "tuple[list[int], list[str], list[tuple[str, str]], li
 
 #: The endings of tables.
 TABLES = (".csv", ".parquet")
-
-
-def sweep(
-    scene: str,
-    over: Over,
-    options: Mapping[str, Any],
-    *,
-    executor: Executor | None = None,
-    workers: int | None = None,
-    resume: str | os.PathLike[str] | None = None,
-    seconds: float = 10.0,
-    progress: Progress = None,
-) -> SweepResult:
-    """Certify an orbit at each point of a grid: bifurcation diagrams, exponents, basins.
-
-    ``over`` has the keys that vary, one or two: ``{"amplitude": ("1", "10", 1000)}`` are 1000 exact values, evenly spaced,
-    endpoints included; an array or a list such as ``np.linspace(1, 10, 1000)`` stands for its first and last value and their number,
-    and the values between are spaced exactly. Of two keys the second one varies faster. Keys are those of the command line: amplitude,
-    frequency, phase, gap, restitution, start.time, start.phase, start.position, start.velocity; with several harmonics amplitude.2
-    and so on. Of each orbit ``transient`` impacts are skipped and ``impacts`` listed, or with ``summary`` none.
-
-    ``executor`` computes: any ``concurrent.futures.Executor``, such as a ``ProcessPoolExecutor`` or Dask's ``client.get_executor()``;
-    without one all processors of this process. It is sent chunks that take about ``seconds``, sized from the first ones, for as many
-    ``workers`` as it has. With ``resume`` finished points are kept in that folder, in a file named by a hash of scene, grid and version:
-    called again after a crash of a worker, the scheduler or this process, the sweep continues from there. Ctrl-C ends it with
-    :class:`impact_pair.Stopped`, whose ``partial`` has the finished points and is ``interrupted``.
-    """
-    asked = question(scene, "sweep", over, options)
-    how: dict[str, Any] = {"executor": executor, "workers": workers, "resume": resume, "seconds": seconds, "progress": progress}
-    return SweepResult(asked, computed(asked, **how))
 
 
 class SweepResult(GridResult):

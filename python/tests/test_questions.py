@@ -40,6 +40,13 @@ def test_each_verb_answers_as_its_method(name, verb, options, kind, method):
         assert found.document == method(Scene.named(name)).document
 
 
+def test_grids_are_asked_by_their_ranges():
+    found = ask(question("figure-14", "sweep", over=["amplitude=1..10:3"], transient=5, impacts=4))
+    assert list(found) == list(Scene.named("figure-14").sweep({"amplitude": (1, 10, 3)}, transient=5, impacts=4))
+    with pytest.raises(impact_pair.RangeError, match="over is missing"):
+        ask(question("figure-14", "atlas"))
+
+
 def test_a_picture_is_drawn_where_the_verb_has_one():
     assert ask(question("figure-14", "trap"), picture=True).svg == Scene.named("figure-14").trap(picture=True).svg
     assert ask(question("figure-13", "periodic", word="RL", cycles=1), picture=True).svg is None
