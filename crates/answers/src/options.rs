@@ -1,54 +1,21 @@
 //! Options in JSON, read as on the command line.
 
+use std::collections::BTreeMap;
 use std::error::Error as _;
-use std::fmt;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, Args, Command};
 use impact_pair::Error;
-use serde::de::{Error as _, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use serde_json::value::RawValue;
 
 use crate::Failure;
 
-/// Options with their values, each option once. A number has the digits that are written: no double stands between.
-#[derive(Clone, Debug, Default)]
-pub struct Options(Vec<(String, Box<RawValue>)>);
-
-impl<'de> Deserialize<'de> for Options {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(OptionsVisitor)
-    }
-}
-
-impl Serialize for Options {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
-
-struct OptionsVisitor;
-
-impl<'de> Visitor<'de> for OptionsVisitor {
-    type Value = Options;
-
-    fn expecting(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str("an object with options")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Options, A::Error> {
-        let mut all: Vec<(String, Box<RawValue>)> = Vec::new();
-        while let Some((name, value)) = entries.next_entry::<String, Box<RawValue>>()? {
-            if all.iter().any(|(known, _)| *known == name) {
-                return Err(A::Error::custom(format_args!("the option \"{name}\" is there twice")));
-            }
-            all.push((name, value));
-        }
-        Ok(Options(all))
-    }
-}
+/// Options with their values. A number has the digits that are written: no double stands between.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Options(BTreeMap<String, Box<RawValue>>);
 
 /// Reads options by the arguments of the command line: both have one syntax, one range of values and one refusal.
 ///
@@ -172,7 +139,7 @@ mod tests {
         assert_eq!(refusal::<PeriodicOptions>(given), "all is \"yes\", but accepted is true or false");
         assert_eq!(refusal::<TwoImpactOptions>(json!({"wall": "up"})), "wall is up, but accepted is left, right");
         let given = json!({"solve-for": "gap", "manifold": "frequency=1..2:3"});
-        assert_eq!(refusal::<TwoImpactOptions>(given), "solve-for and manifold exclude one another");
+        assert_eq!(refusal::<TwoImpactOptions>(given), "manifold and solve-for exclude one another");
         let word = options::<PeriodicOptions>(&json!({"word": "rl", "cycles": 1})).unwrap_err();
         assert!(matches!(word, Failure::Option { option, value, .. } if option == "word" && value == "rl"));
         // Neither files nor anything else of the command line can be reached.

@@ -12,29 +12,11 @@ mod tests;
 mod verb;
 
 use impact_pair::chaos::{Chaos, HorseshoeSettings, Trap};
-use impact_pair::orbit::MAX_BITS;
 use impact_pair::watch::{Latched, Watch};
 use impact_pair::{Effort, Error, Scene};
 pub use lines::lines;
 use orbit::Followed;
 pub use verb::{DescribeOptions, Described};
-
-/// Limits within which the questions are examined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Request {
-    /// Maximum number of impacts that are certified at the requested digits; ten times as many in double precision.
-    pub impacts: u64,
-    /// Maximum number of impacts of a word of the horseshoe.
-    pub depth: usize,
-    /// Maximum precision of the orbit, in bits.
-    pub max_bits: u32,
-}
-
-impl Default for Request {
-    fn default() -> Self {
-        Self { impacts: 2000, depth: 6, max_bits: MAX_BITS }
-    }
-}
 
 /// The statements proved about the motion from the start of a scene.
 ///
@@ -42,7 +24,7 @@ impl Default for Request {
 /// where one of its impacts lies in a trapping region. Lemmas Q3, D4, D5
 #[derive(Debug)]
 pub struct Description {
-    request: Request,
+    request: DescribeOptions,
     /// The reason why no convergence to a periodic orbit can be proved, if there is one.
     is_unattracted: Option<&'static str>,
     orbit: Followed,
@@ -79,7 +61,8 @@ enum Horseshoe {
 ///
 /// ```
 /// use impact_pair::Scene;
-/// use impact_pair_answers::describe::{Request, describe};
+/// use impact_pair_answers::DescribeOptions;
+/// use impact_pair_answers::describe::describe;
 /// use impact_pair::json::FateName;
 /// use impact_pair::watch::Unwatched;
 /// let scene = Scene::parse(r#"
@@ -87,13 +70,13 @@ enum Horseshoe {
 ///     pair = { gap = "3*pi", restitution = 0.5 }
 ///     start = { time = 0, wall = "left", velocity = -12 }
 /// "#)?;
-/// let found = describe(&scene, &Request::default(), &Unwatched)?;
+/// let found = describe(&scene, &DescribeOptions::default(), &Unwatched)?;
 /// let document = found.document(&scene, "scene.toml")?;
 /// assert_eq!(document.fate.kind, FateName::Attracted);
 /// assert_eq!(document.fate.word.as_deref(), Some("P1 P2"));
 /// # Ok::<(), impact_pair::Error>(())
 /// ```
-pub fn describe(scene: &Scene, request: &Request, watch: &dyn Watch) -> Result<Description, Error> {
+pub fn describe(scene: &Scene, request: &DescribeOptions, watch: &dyn Watch) -> Result<Description, Error> {
     let watch = Latched::new(watch);
     let orbit = orbit::followed(scene, request, &watch)?;
     let region = region(scene, &orbit, &watch);
@@ -138,12 +121,12 @@ fn region(scene: &Scene, orbit: &Followed, watch: &Latched<'_>) -> Region {
 }
 
 /// The horseshoe of the impact map, where the motion stays in a region.
-fn horseshoe(scene: &Scene, request: &Request, region: &Region, watch: &Latched<'_>) -> Horseshoe {
+fn horseshoe(scene: &Scene, request: &DescribeOptions, region: &Region, watch: &Latched<'_>) -> Horseshoe {
     let why = match region {
         Region::Proved(_) if watch.is_stopped() => STOPPED,
         Region::Proved(trap) if trap.entered().is_none() => "the motion is not proved to enter the region",
         Region::Proved(_) => {
-            let question = HorseshoeSettings { depth: Some(request.depth), ..HorseshoeSettings::default() };
+            let question = HorseshoeSettings { depth: Some(request.depth as usize), ..HorseshoeSettings::default() };
             return match Chaos::of_scene(scene, &question, watch) {
                 Ok(chaos) => Horseshoe::Searched(Box::new(chaos)),
                 Err(error) => Horseshoe::NotExamined(error.to_string()),

@@ -4,7 +4,7 @@ use impact_pair::json::{FateName, OrbitDocument};
 
 use impact_pair::json::vocabulary::OutcomeKind;
 
-use super::Request;
+use super::DescribeOptions;
 use impact_pair::lyapunov::{Disturbance, Exponent, limit};
 use impact_pair::orbit::{Arithmetic, Orbit, Outcome, Settings};
 use impact_pair::watch::Latched;
@@ -52,8 +52,8 @@ impl Followed {
 }
 
 /// Follows the orbit until its outcome decides the fate, for at most the requested impacts, and in double precision for ten times as many.
-pub(super) fn followed(scene: &Scene, request: &Request, watch: &Latched<'_>) -> Result<Followed, Error> {
-    let Request { impacts: most, max_bits, .. } = *request;
+pub(super) fn followed(scene: &Scene, request: &DescribeOptions, watch: &Latched<'_>) -> Result<Followed, Error> {
+    let DescribeOptions { impacts: most, max_bits, .. } = *request;
     let settings = |arithmetic: Arithmetic, impacts: u64| Settings {
         impacts: Some(impacts),
         arithmetic,

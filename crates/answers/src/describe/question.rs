@@ -57,7 +57,7 @@ impl Description {
             }
             FateName::Attracted | FateName::Periodic | FateName::RestsForever | FateName::NeverImpacts => {}
         }
-        let deeper = (2 * self.request.depth).min(MOST_DEPTH as usize);
+        let deeper = (2 * self.request.depth).min(MOST_DEPTH);
         let deeper = format!("impact-pair chaos {name} --depth {deeper}");
         match &self.horseshoe {
             Horseshoe::Searched(chaos) if chaos.entropy() <= 0.0 => {

@@ -12,7 +12,7 @@ fn figure(amplitude: &str, gap: &str, restitution: &str) -> Scene {
 /// Description of a scene without a search for a horseshoe, which takes long.
 fn described(scene: &Scene) -> DescriptionDocument {
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
-    let request = Request { impacts: 500, ..Request::default() };
+    let request = DescribeOptions { impacts: 500, ..DescribeOptions::default() };
     describe(scene, &request, &watch).unwrap().document(scene, "scene.toml").unwrap()
 }
 
@@ -151,7 +151,7 @@ fn a_motion_in_a_region_carries_what_trap_proves() {
 #[test]
 fn a_check_stopped_at_once_is_undecided_and_says_so() {
     let scene = figure("1", "9.42497", "0.5");
-    let found = describe(&scene, &Request::default(), &|_: Stage<'_>| proceed_if(false)).unwrap();
+    let found = describe(&scene, &DescribeOptions::default(), &|_: Stage<'_>| proceed_if(false)).unwrap();
     let document = found.document(&scene, "it's a scene.toml").unwrap();
     assert!(document.interrupted && !document.certified);
     assert_eq!(document.undecided[0].command, "impact-pair describe 'it'\\''s a scene.toml'");
@@ -171,7 +171,7 @@ fn r62_more_impacts_are_the_next_step_of_a_motion_in_a_region() {
     let scene = Scene::parse(include_str!("../../../../scenes/figure-14-sink.toml")).unwrap();
     let describe = |impacts: u64| {
         let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
-        let request = Request { impacts, ..Request::default() };
+        let request = DescribeOptions { impacts, ..DescribeOptions::default() };
         describe(&scene, &request, &watch).unwrap().document(&scene, "scene.toml").unwrap()
     };
     let next = |document: &DescriptionDocument| document.undecided[0].command.clone();
@@ -183,8 +183,9 @@ fn r62_more_impacts_are_the_next_step_of_a_motion_in_a_region() {
     assert_eq!(describe(20).fate.kind, FateName::Attracted);
     let chaos = figure("8", "9.42497", "0.5");
     let watch = |at: Stage<'_>| proceed_if(!matches!(at, Stage::Horseshoe { .. }));
-    let found = super::describe(&chaos, &Request { impacts: 100, ..Request::default() }, &watch).unwrap();
-    let found = Description { request: Request { impacts: 20_000, ..found.request }, ..found };
+    let found =
+        super::describe(&chaos, &DescribeOptions { impacts: 100, ..DescribeOptions::default() }, &watch).unwrap();
+    let found = Description { request: DescribeOptions { impacts: 20_000, ..found.request }, ..found };
     assert_eq!(next(&found.document(&chaos, "scene.toml").unwrap()), "impact-pair global scene.toml");
 }
 

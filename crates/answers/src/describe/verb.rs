@@ -10,22 +10,28 @@ use impact_pair::json::DescriptionDocument;
 use impact_pair::orbit::MAX_BITS;
 use impact_pair::watch::Watch;
 
-use super::{Description, Request, describe, lines};
+use super::{Description, describe, lines};
 use crate::values::{bits, count, whole};
 use crate::{Answer, Asked, Failure, Format, Picture, Status, Verb, heading, line};
 
-/// Options of `describe`.
-#[derive(Args, Clone, Debug)]
+/// Options of `describe`: the limits within which the questions are examined.
+#[derive(Args, Clone, Copy, Debug)]
 pub struct DescribeOptions {
     /// Maximum number of impacts that are certified to decide the fate, in double precision ten times as many
-    #[arg(long, value_name = "N", default_value_t = Request::default().impacts, value_parser = count(1..=100_000_000))]
+    #[arg(long, value_name = "N", default_value_t = Self::default().impacts, value_parser = count(1..=100_000_000))]
     pub impacts: u64,
     /// Maximum number of impacts of a word of the horseshoe
-    #[arg(long, value_name = "K", default_value_t = Request::default().depth as u32, value_parser = whole(1..=MOST_DEPTH))]
+    #[arg(long, value_name = "K", default_value_t = Self::default().depth, value_parser = whole(1..=MOST_DEPTH))]
     pub depth: u32,
     /// Maximum precision of the orbit, in bits
     #[arg(long, value_name = "BITS", default_value_t = MAX_BITS, value_parser = bits())]
     pub max_bits: u32,
+}
+
+impl Default for DescribeOptions {
+    fn default() -> Self {
+        Self { impacts: 2000, depth: 6, max_bits: MAX_BITS }
+    }
 }
 
 /// A description and its document.
@@ -47,8 +53,7 @@ impl Verb for DescribeOptions {
     type Answer<'s> = Described<'s>;
 
     fn answer<'s>(&self, Asked { scene, name, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Described<'s>, Failure> {
-        let Self { impacts, depth, max_bits } = *self;
-        let found = describe(scene, &Request { impacts, depth: depth as usize, max_bits }, watch)?;
+        let found = describe(scene, self, watch)?;
         Ok(Described { document: found.document(scene, name)?, scene, found })
     }
 }

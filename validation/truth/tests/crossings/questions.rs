@@ -18,8 +18,9 @@ use impact_pair::tangency::{Tangencies, TangencySettings};
 use impact_pair::units::Units;
 use impact_pair::watch::{Stage, Unwatched, proceed_if};
 use impact_pair::{Effort, Error, Scene, two_impact};
+use impact_pair_answers::DescribeOptions;
 use impact_pair_answers::atlas::{Atlas, Plane};
-use impact_pair_answers::describe::{Request, describe};
+use impact_pair_answers::describe::describe;
 use impact_pair_answers::grid::{Grid, Survey};
 use impact_pair_answers::sweep::{PointSettings, Sweep};
 use impact_pair_truth::float;
@@ -287,7 +288,7 @@ impl Case {
     /// Asks for a description without the horseshoe, which takes a second to find.
     fn describe(&mut self) -> Result<Answer, Error> {
         let impacts = self.random.pick(&[1, 80, 80, 80]);
-        let request = Request { impacts, depth: 2, max_bits: MAX_BITS };
+        let request = DescribeOptions { impacts, depth: 2, max_bits: MAX_BITS };
         let watch = |at: Stage<'_>| match at {
             Stage::Region(boxes) => proceed_if(boxes < BOXES),
             at => proceed_if(!matches!(at, Stage::Horseshoe { .. })),
