@@ -58,7 +58,8 @@ class Question:
     @property
     def over(self) -> list[str]:
         """What varies, in the words of the command line."""
-        return list(json.loads(self.options)["over"])
+        over = json.loads(self.options)["over"]
+        return [over] if isinstance(over, str) else over
 
     def key(self) -> str:
         """Return a hash of scene, grid, settings and version: equal keys have the same points."""
