@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -32,16 +33,19 @@ fn unsealed(line: &[u8]) -> Result<&[u8]> {
 /// The position of the record of a point.
 #[derive(Clone, Copy, Debug)]
 struct Place {
+    /// Number of the file.
+    file: usize,
     offset: u64,
     bytes: usize,
 }
 
-/// A file of records, and where each of them is.
-pub struct Journal<H: Head> {
+/// Finished points: their records in a file, or those of shards in several, and where each of them is.
+pub struct Points<H: Head> {
     /// All that the points depend on.
     pub head: H,
-    file: File,
+    files: Vec<File>,
     places: BTreeMap<u64, Place>,
+    /// Bytes of the first file, to which points are added.
     end: u64,
     /// Beside an output; otherwise it is gone with the program.
     path: Option<PathBuf>,
@@ -60,11 +64,11 @@ pub fn beside(output: &Path) -> Option<PathBuf> {
     Some(name.into())
 }
 
-impl<H: Head> Journal<H> {
-    /// A new journal beside an output, or to `resume` that of an earlier sweep or atlas into the same output.
+impl<H: Head> Points<H> {
+    /// Points in a new journal beside an output, or to `resume` in that of an earlier sweep or atlas into the same output.
     ///
     /// # Errors
-    /// If there is one that is not to be resumed, or as of [`Journal::kept`].
+    /// If there is a journal that is not to be resumed, or as of [`Points::kept`].
     pub fn open(head: H, output: Option<&Path>, resume: bool) -> Result<Self> {
         let path = output.and_then(beside);
         if let Some(path) = path.as_ref().filter(|path| path.exists() && !resume) {
@@ -74,7 +78,7 @@ impl<H: Head> Journal<H> {
         Self::kept(head, path)
     }
 
-    /// The journal in a file, a new one where there is none; without a path one that is gone with the program.
+    /// Points in a file, a new one where there is none; without a path in one that is gone with the program.
     ///
     /// # Errors
     /// If the file cannot be written, is damaged, or belongs to another sweep or atlas.
@@ -95,7 +99,7 @@ impl<H: Head> Journal<H> {
     /// A new journal.
     fn begin(head: H, file: File, path: Option<PathBuf>) -> Result<Self> {
         let line = line(&head);
-        let mut journal = Self { head, file, places: BTreeMap::new(), end: 0, path };
+        let mut journal = Self { head, files: vec![file], places: BTreeMap::new(), end: 0, path };
         journal.write(&line).with_context(|| format!("cannot write the head of the {}", H::NAME))?;
         Ok(journal)
     }
@@ -109,12 +113,12 @@ impl<H: Head> Journal<H> {
         if found.head != head {
             bail!("it belongs to another {} or another version: {}", H::NAME, difference(&found.head, &head));
         }
-        found.file.set_len(found.end).context("cannot remove the incomplete last line")?;
+        found.files[0].set_len(found.end).context("cannot remove the incomplete last line")?;
         Ok(Self { path: Some(path), ..found })
     }
 
     /// A shard, as it was written.
-    pub fn read(path: &Path) -> Result<Self> {
+    pub(super) fn read(path: &Path) -> Result<Self> {
         let shown = path.display().to_string();
         let file = File::open(path).with_context(|| format!("cannot read {shown}"))?;
         Self::scan(file, false).context(shown)
@@ -134,7 +138,7 @@ impl<H: Head> Journal<H> {
             let all = bytes.len() as u64;
             let written = bytes.trim_ascii_end();
             let text = if is_partial { unsealed(written).with_context(|| format!("line {number}"))? } else { written };
-            let place = Place { offset: end + (written.len() - text.len()) as u64, bytes: text.len() };
+            let place = Place { file: 0, offset: end + (written.len() - text.len()) as u64, bytes: text.len() };
             end += all;
             let text = std::str::from_utf8(text).with_context(|| format!("line {number}"))?;
             let Some((head, grid)) = &head else {
@@ -156,33 +160,28 @@ impl<H: Head> Journal<H> {
             }
         }
         let (head, _) = head.context("line 1 is missing")?;
-        Ok(Self { head, file: lines.into_inner(), places, end, path: None })
+        Ok(Self { head, files: vec![lines.into_inner()], places, end, path: None })
     }
 
-    /// Number of points in it.
-    pub fn points(&self) -> u64 {
+    /// Number of points.
+    pub fn count(&self) -> u64 {
         self.places.len() as u64
     }
 
-    /// Whether it has a point.
-    pub fn holds(&self, point: u64) -> bool {
-        self.places.contains_key(&point)
-    }
-
-    /// The points of all, or of the shard, that are not in it.
+    /// The points of the grid, or of the shard, that are not there.
     pub fn missing(&self) -> Vec<u64> {
-        own(&self.head).filter(|&point| !self.holds(point)).collect()
+        own(&self.head).filter(|point| !self.places.contains_key(point)).collect()
     }
 
-    /// Adds the records of points, a line each.
+    /// Adds the records of points that were computed elsewhere, a line each.
     ///
     /// # Errors
-    /// If a line is no record of a point that it lacks, or cannot be written.
+    /// If a line is no record of a point that is missing, or cannot be written.
     pub fn add_lines(&mut self, lines: &str) -> Result<()> {
         for line in lines.lines() {
             let record: H::Record = serde_json::from_str(line).context("a line is not the record of a point")?;
             let point = record.point();
-            if !self.head.has(point) || self.holds(point) {
+            if !self.head.has(point) || self.places.contains_key(&point) {
                 bail!("point {point} does not belong to this {}, or is there already", H::NAME);
             }
             self.add(point, line).context("cannot write a finished point")?;
@@ -191,36 +190,68 @@ impl<H: Head> Journal<H> {
     }
 
     /// Adds the record of a point; from now on a crash does not lose it.
-    pub fn add(&mut self, point: u64, line: &str) -> io::Result<()> {
-        let place = Place { offset: self.end + CHECKSUM_BYTES as u64, bytes: line.len() };
+    pub(super) fn add(&mut self, point: u64, line: &str) -> io::Result<()> {
+        let place = Place { file: 0, offset: self.end + CHECKSUM_BYTES as u64, bytes: line.len() };
         self.write(line)?;
         self.places.insert(point, place);
         Ok(())
     }
 
     fn write(&mut self, line: &str) -> io::Result<()> {
-        self.file.seek(SeekFrom::Start(self.end))?;
+        self.files[0].seek(SeekFrom::Start(self.end))?;
         let text = format!("{:08x} {line}\n", crc32fast::hash(line.as_bytes()));
-        self.file.write_all(text.as_bytes())?;
+        self.files[0].write_all(text.as_bytes())?;
         self.end += text.len() as u64;
         Ok(())
     }
 
-    /// The line of a point that is in it.
-    pub fn line(&mut self, point: u64) -> Result<String> {
-        let Place { offset, bytes } = self.places[&point];
-        self.file.seek(SeekFrom::Start(offset))?;
-        let mut line = vec![0; bytes];
-        self.file.read_exact(&mut line).context("cannot read back a finished point")?;
-        Ok(String::from_utf8(line)?)
+    /// Hands on the lines of the points that are there, in order.
+    ///
+    /// # Errors
+    /// Those of `hand`, and if a line cannot be read.
+    pub fn each(&mut self, hand: impl FnMut(&str) -> Result<()>) -> Result<()> {
+        self.each_of(0..self.head.points(), hand)
     }
 
-    /// Returns the path at which the journal remains after the program ends; `None` if it has none.
+    /// Hands on the lines of those of some points that are there, in order.
+    ///
+    /// # Errors
+    /// As of [`Points::each`].
+    pub fn each_of(&mut self, points: Range<u64>, mut hand: impl FnMut(&str) -> Result<()>) -> Result<()> {
+        for (_, Place { file, offset, bytes }) in self.places.range(points) {
+            let file = &mut self.files[*file];
+            file.seek(SeekFrom::Start(*offset))?;
+            let mut line = vec![0; *bytes];
+            file.read_exact(&mut line).context("cannot read back a finished point")?;
+            hand(str::from_utf8(&line)?)?;
+        }
+        Ok(())
+    }
+
+    /// Hands on the records of the points that are there, in order.
+    ///
+    /// # Errors
+    /// Those of `hand`, and if a record cannot be read.
+    pub fn each_record(&mut self, mut hand: impl FnMut(H::Record) -> Result<()>) -> Result<()> {
+        self.each(|text| hand(serde_json::from_str(text)?))
+    }
+
+    /// Takes in the points of another shard.
+    pub(super) fn append(&mut self, shard: Self) {
+        let file = self.files.len();
+        self.files.extend(shard.files);
+        self.places.extend(shard.places.into_iter().map(|(point, place)| (point, Place { file, ..place })));
+    }
+
+    /// The path at which the points remain after the program ends; `None` if there is none.
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }
 
-    /// Removes it: the output is there.
+    /// Removes the journal: the output is there.
+    ///
+    /// # Errors
+    /// If the file cannot be removed.
     pub fn finish(self) -> Result<()> {
         match &self.path {
             Some(path) => fs::remove_file(path).with_context(|| format!("cannot remove {}", path.display())),

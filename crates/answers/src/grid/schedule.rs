@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use impact_pair::watch::Watch;
 use rayon::prelude::*;
 
-use super::points::Points;
+use super::journal::Points;
 use super::survey::Survey;
 
 /// Computes the points that are missing, by this number of threads or one for each processor, until all are done or the watch stops it; `done` is
@@ -25,7 +25,7 @@ pub fn complete<S: Survey>(
     let threads = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.context("cannot start the threads")?;
-    let journal = Mutex::new(points.journal());
+    let journal = Mutex::new(points);
     let each = |&point: &u64| {
         // Once it is stopped not even the first impact of another point is looked for.
         if !watch.goes_on() {

@@ -7,9 +7,18 @@ use impact_pair::scene::Key;
 use impact_pair::watch::Watch;
 
 use super::head::Head;
-use super::points::Tally;
+use super::journal::Points;
 use super::record::line;
-use crate::Failure;
+use crate::{Failure, Status};
+
+/// The summary of a sweep or an atlas.
+pub trait Tally: Head {
+    /// How much is proved at the points that are there, and what.
+    ///
+    /// # Errors
+    /// If a record cannot be read.
+    fn tally(points: &mut Points<Self>) -> Result<Status>;
+}
 
 /// A sweep or an atlas of a scene: its points may be computed in any order.
 pub trait Survey: Send + Sync {
