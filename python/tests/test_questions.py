@@ -6,7 +6,7 @@ import pytest
 
 import impact_pair
 from impact_pair import Orbit, Scene, answers, ask
-from impact_pair.questions import ANSWERS
+from impact_pair.questions import ANSWERS, GRIDS
 
 
 def question(name, verb, **options):
@@ -52,12 +52,17 @@ def test_a_picture_is_drawn_where_the_verb_has_one():
     assert ask(question("figure-13", "periodic", word="RL", cycles=1), picture=True).svg is None
 
 
-def test_every_verb_has_its_class():
+def test_every_verb_of_the_command_line_answers_and_has_its_class(cli):
     with pytest.raises(impact_pair.RangeError, match="verb is nothing, but accepted are ") as refused:
         ask(question("figure-14", "nothing"))
     assert refused.value.key == "verb"
     known = str(refused.value).split("accepted are ")[1].split(", ")
     assert sorted(known) == sorted([*ANSWERS, "run"])
+    listed = cli.text("help").split("Commands:")[1].split("Options:")[0].splitlines()
+    verbs = {line.split()[0] for line in listed if line.startswith("  ") and line.strip() and line[2] != " "}
+    # Of documents, of pictures alone, and about the command line.
+    others = {"check", "prove", "plot", "man", "completions", "help"}
+    assert verbs - others == {*known, *GRIDS}
 
 
 def test_options_are_named_as_keywords_in_refusals(cli):

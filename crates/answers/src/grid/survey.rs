@@ -56,7 +56,7 @@ pub trait Survey: Send + Sync {
     /// # Errors
     /// If a value is not accepted: the error of the library, in the context of the point.
     fn line(&self, point: u64, watch: &dyn Watch) -> Result<Option<String>> {
-        let values = self.values(point)?;
+        let values = self.values(point).with_context(|| format!("point {point}"))?;
         let found = self.record(point, &values, watch).with_context(|| {
             let values: Vec<String> = values.iter().map(|(key, value)| format!("{key} = {value}")).collect();
             format!("point {point} ({})", values.join(", "))
