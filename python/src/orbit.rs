@@ -10,7 +10,7 @@ use impact_pair::json::{
 use impact_pair::orbit::{self, Bounds, Conclusion, Dense, Ending, Event, EventKind};
 use impact_pair::watch::Watch;
 use impact_pair_answers::grid::doubles;
-use impact_pair_answers::{CSV_HEADER, RunOptions, Verb, csv_row, read_options};
+use impact_pair_answers::{CSV_HEADER, RunOptions, Status, Verb, csv_row, read_options};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -214,7 +214,7 @@ pub fn run(py: Python<'_>, scene: &Bound<'_, Scene>, options: String, progress: 
             at_first,
             outcome: ending.conclusion.document(),
             complete: Some(ending.is_complete()),
-            said: ending.to_string(),
+            said: Status::from(&ending).in_python(),
             bits: Some(orbit.bits()),
             events: Events::Computed(events),
             motion: Some(Mutex::new(dense)),

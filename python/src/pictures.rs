@@ -49,7 +49,7 @@ pub fn plot(
     watched(py, progress, move |monitor| {
         let settings = figure.settings(&scene);
         let orbit = Orbit::of(&scene, settings.clone())?;
-        let (svg, ending) = figure.draw(&scene, (orbit, &settings), monitor);
-        Ok((svg.map_err(Fault::other)?, ending.is_complete(), monitor.is_stopped(), ending.to_string()))
+        let (svg, status) = figure.draw(&scene, (orbit, &settings), monitor);
+        Ok((svg.map_err(Fault::other)?, status.is_complete(), monitor.is_stopped(), status.in_python()))
     })
 }

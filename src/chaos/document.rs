@@ -1,4 +1,4 @@
-//! The JSON of trapping regions and of self.
+//! The JSON of trapping regions and of chaos.
 
 use std::f64::consts::TAU;
 use std::iter;

@@ -29,7 +29,7 @@ mod width;
 pub use arrivals::{Arrival, Arrivals};
 pub use course::{Course, CoursePoint};
 pub use dense::{Dense, DenseState};
-pub use document::{Bounds, Conclusion, Ending, Event, Events};
+pub use document::{Advice, Bounds, Conclusion, Ending, Event, Events};
 pub use event::{Outcome, Progress, Rest};
 pub use impact_pair_model::{Arithmetic, BITS, EventKind, INARI, MAX_BITS, Period, Place, Settings, Start};
 pub use plan::Plan;

@@ -22,9 +22,9 @@ pub fn plot(arguments: &PlotArguments) -> Result<Answer> {
     let orbit = Orbit::of(&scene, settings.clone()).map_err(|error| scene::of_orbit(error, &settings, path))?;
     let visible = !quiet && io::stderr().is_terminal();
     let progress = Progress::new(settings.impacts, visible);
-    let (svg, ending) = figure.draw(&scene, (orbit, &settings), &progress);
+    let (svg, status) = figure.draw(&scene, (orbit, &settings), &progress);
     progress.clear();
     out.draw(&arguments.output, &arguments.look, svg)?;
-    note(quiet, &ending.to_string());
-    Ok(if ending.is_complete() { Answer::Complete } else { Answer::Incomplete })
+    note(quiet, &status.to_string());
+    Ok(if status.is_complete() { Answer::Complete } else { Answer::Incomplete })
 }

@@ -30,6 +30,8 @@ pub enum Step {
     A(&'static str),
     /// Give the option another value.
     Another(&'static str),
+    /// Give the option this value: `--arithmetic auto`.
+    Value(&'static str, &'static str),
     /// Ask for a greater number: `more --effort`.
     More(&'static str),
     /// Ask for a smaller number: `fewer --digits`.
@@ -48,7 +50,7 @@ impl Step {
     /// The change, before the name of the option.
     fn parts(self) -> (&'static str, &'static str) {
         match self {
-            Self::Set(option) | Self::Name(option) => ("", option),
+            Self::Set(option) | Self::Name(option) | Self::Value(option, _) => ("", option),
             Self::A(option) => ("a ", option),
             Self::Another(option) => ("another ", option),
             Self::More(option) => ("more ", option),
@@ -64,6 +66,7 @@ impl Step {
     fn in_python(self) -> String {
         let (change, option) = self.parts();
         let keyword = match (self, option) {
+            (Self::Value(_, value), option) => format!("{option}={value:?}"),
             (_, "velocity-column") => "columns".to_owned(),
             (_, "no-velocity") => "velocities=False".to_owned(),
             (Self::Set(_), switch) => format!("{}=True", switch.replace('-', "_")),
@@ -76,7 +79,8 @@ impl Step {
 impl Display for Step {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (change, option) = self.parts();
-        write!(out, "{change}--{option}")
+        write!(out, "{change}--{option}")?;
+        if let Self::Value(_, value) = self { write!(out, " {value}") } else { Ok(()) }
     }
 }
 

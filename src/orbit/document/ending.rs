@@ -1,4 +1,4 @@
-//! The last line of a table: the outcome, and whether everything requested is certified.
+//! How an orbit ends: the outcome, whether everything requested is certified, and what leads further.
 
 use std::fmt;
 
@@ -8,6 +8,19 @@ use super::conclusion::Conclusion;
 use crate::contact::Reason;
 use crate::orbit::{Arithmetic, BITS, GRAZE_BITS, Limit, Orbit, Settings, VERDICT_BITS};
 use crate::scene::DIGITS;
+
+/// A change that is known to lead further.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Advice {
+    /// To request fewer digits.
+    FewerDigits,
+    /// To allow more bits.
+    MoreBits,
+    /// To let the arithmetic be chosen.
+    AutoArithmetic,
+    /// To give narrower intervals in the scene.
+    NarrowerIntervals,
+}
 
 /// The outcome of an orbit, compared with the request.
 pub struct Ending<'s> {
@@ -37,40 +50,42 @@ impl<'s> Ending<'s> {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
 
-    /// Returns advice on what leads further, where something is known to.
-    fn advice(&self) -> Option<&'static str> {
+    /// Changes each of which is known to lead further; none where nothing is known to.
+    pub fn advice(&self) -> Vec<Advice> {
+        use Advice::{AutoArithmetic, FewerDigits, MoreBits, NarrowerIntervals};
         let Settings { arithmetic, digits, max_bits, .. } = *self.settings;
         let reason = self.conclusion.reason();
         let are_bits_spent = self.bits >= max_bits;
         let has_fewer = digits > *DIGITS.start();
         let has_more = max_bits < *BITS.end();
+        let if_possible = |advice: &[(bool, Advice)]| -> Vec<Advice> {
+            advice.iter().filter(|(is_possible, _)| *is_possible).map(|(_, advice)| *advice).collect()
+        };
         match (arithmetic, self.limit, reason) {
-            _ if self.is_complete() || reason == Some(Reason::Budget) => None,
-            (Arithmetic::Float, ..) | (_, Limit::Lasting, _) => None,
-            (Arithmetic::Shadow, _, None) => has_fewer.then_some("try fewer --digits"),
-            (Arithmetic::Shadow, ..) => None,
-            (_, Limit::Intervals, Some(Reason::Width)) => Some("narrower intervals in the scene lead further"),
-            (_, Limit::Intervals, None) => Some("try fewer --digits, or narrower intervals in the scene"),
-            (_, Limit::Intervals, Some(_)) => None,
-            (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if are_bits_spent => match (has_fewer, has_more) {
-                (true, true) => Some("try fewer --digits or more --max-bits"),
-                (true, false) => Some("try fewer --digits"),
-                (false, true) => Some("try more --max-bits"),
-                (false, false) => None,
-            },
-            (Arithmetic::Auto, Limit::Bits, Some(Reason::Width)) => {
-                (are_bits_spent && has_more).then_some("try more --max-bits")
+            _ if self.is_complete() || reason == Some(Reason::Budget) => Vec::new(),
+            (Arithmetic::Float, ..) | (_, Limit::Lasting, _) => Vec::new(),
+            (Arithmetic::Shadow, _, None) => if_possible(&[(has_fewer, FewerDigits)]),
+            (Arithmetic::Shadow, ..) => Vec::new(),
+            (_, Limit::Intervals, Some(Reason::Width)) => vec![NarrowerIntervals],
+            (_, Limit::Intervals, None) => vec![FewerDigits, NarrowerIntervals],
+            (_, Limit::Intervals, Some(_)) => Vec::new(),
+            (Arithmetic::Auto, Limit::Bits, Some(Reason::Precision)) if are_bits_spent => {
+                if_possible(&[(has_fewer, FewerDigits), (has_more, MoreBits)])
             }
-            (Arithmetic::Auto, ..) => None,
+            (Arithmetic::Auto, Limit::Bits, Some(Reason::Width)) => {
+                if_possible(&[(are_bits_spent && has_more, MoreBits)])
+            }
+            (Arithmetic::Auto, ..) => Vec::new(),
             // What these bits do not decide auto does not either.
-            (Arithmetic::Bits(VERDICT_BITS..), _, Some(Reason::Graze)) => None,
-            (Arithmetic::Bits(GRAZE_BITS..), Limit::Graze, _) => None,
-            (Arithmetic::Bits(bits), ..) => (bits < max_bits).then_some("try --arithmetic auto"),
-            (Arithmetic::Interval | Arithmetic::Inari, ..) => Some("try --arithmetic auto"),
+            (Arithmetic::Bits(VERDICT_BITS..), _, Some(Reason::Graze)) => Vec::new(),
+            (Arithmetic::Bits(GRAZE_BITS..), Limit::Graze, _) => Vec::new(),
+            (Arithmetic::Bits(bits), ..) => if_possible(&[(bits < max_bits, AutoArithmetic)]),
+            (Arithmetic::Interval | Arithmetic::Inari, ..) => vec![AutoArithmetic],
         }
     }
 }
 
+/// What is certified, and what is not.
 impl fmt::Display for Ending<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message = self.conclusion.message();
@@ -82,6 +97,6 @@ impl fmt::Display for Ending<'_> {
         if let Some(index) = self.wide {
             write!(f, "; impact {index} is the first one wider than {}", counted(self.settings.digits, "digit"))?;
         }
-        self.advice().map_or(Ok(()), |advice| write!(f, "; {advice}"))
+        Ok(())
     }
 }

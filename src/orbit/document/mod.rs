@@ -15,7 +15,7 @@ use impact_pair_document::{
 use super::{Arithmetic, Orbit, Progress};
 use crate::watch::{Unwatched, Watch};
 pub use conclusion::Conclusion;
-pub use ending::Ending;
+pub use ending::{Advice, Ending};
 pub use event::{Bounds, Event, Events};
 use impact_pair_model::vocabulary::ArithmeticKind;
 

@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 
 use anyhow::Result;
 use impact_pair::Scene;
-use impact_pair::orbit::{Conclusion, Ending, Event, Orbit, Settings};
+use impact_pair::orbit::{Advice, Conclusion, Ending, Event, Orbit, Settings};
 use impact_pair::watch::Watch;
 
 use super::Listing;
-use crate::{Answer, Asked, Counts, Failure, Format, RunOptions, Status, Verb};
+use crate::{Answer, Asked, Counts, Failure, Format, RunOptions, Status, Step, Verb};
 
 /// An orbit that is followed to its end, or until the watch stops it.
 pub struct FollowedOrbit<'s> {
@@ -68,6 +68,45 @@ impl Answer for FollowedOrbit<'_> {
 /// The last line of the table of an orbit.
 impl From<&Ending<'_>> for Status {
     fn from(ending: &Ending<'_>) -> Self {
-        Self::new(ending.is_complete(), ending.to_string())
+        let status = Self::new(ending.is_complete(), ending.to_string());
+        ending.advice().into_iter().enumerate().fold(status, |status, (k, advice)| {
+            let before = if k == 0 { "; try " } else { " or " };
+            match advice {
+                Advice::NarrowerIntervals if k == 0 => status.say("; narrower intervals in the scene lead further"),
+                Advice::NarrowerIntervals => status.say(", or narrower intervals in the scene"),
+                Advice::FewerDigits => status.say(before).step(Step::Fewer("digits")),
+                Advice::MoreBits => status.say(before).step(Step::More("max-bits")),
+                Advice::AutoArithmetic => status.say(before).step(Step::Value("arithmetic", "auto")),
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use impact_pair::watch::Unwatched;
+
+    use crate::scenes::scene;
+    use crate::{Answer as _, Asked, RunOptions, Verb as _, read_options};
+
+    /// The status of the orbit of figure 14 with these options, in the words of the command line and of Python.
+    fn said(options: &str) -> [String; 2] {
+        let options: RunOptions = read_options(RunOptions::NAME, &serde_json::from_str(options).unwrap()).unwrap();
+        let scene = scene("figure-14");
+        let asked = Asked { scene: &scene, name: "scene.toml", is_drawn: false };
+        let status = options.answer(&asked, &Unwatched).unwrap().status();
+        [status.to_string(), status.in_python()]
+    }
+
+    #[test]
+    fn what_leads_further_is_said_as_the_reader_writes_it() {
+        let [own, python] = said(r#"{"impacts": 500, "max-bits": 64}"#);
+        assert!(own.ends_with("; try fewer --digits or more --max-bits"), "{own}");
+        assert!(python.ends_with("; try fewer digits or more max_bits"), "{python}");
+        let [own, python] = said(r#"{"impacts": 500, "arithmetic": "interval"}"#);
+        assert!(own.ends_with("; try --arithmetic auto"), "{own}");
+        assert!(python.ends_with("; try arithmetic=\"auto\""), "{python}");
+        let [own, python] = said(r#"{"impacts": 5}"#);
+        assert_eq!(own, python);
     }
 }

@@ -7,7 +7,7 @@ use impact_pair::mapping::Mapping;
 use impact_pair::orbit::{Arithmetic, Settings};
 use impact_pair::orbit::{Ending, Event, EventKind};
 
-use crate::heading;
+use crate::{Status, heading};
 
 pub fn begin(out: &mut impl Write, scene: &Scene, settings: &Settings) -> io::Result<()> {
     out.write_all(heading(scene).as_bytes())?;
@@ -44,5 +44,5 @@ pub fn event(out: &mut impl Write, event: &Event) -> io::Result<()> {
 }
 
 pub fn end(out: &mut impl Write, ending: &Ending<'_>) -> io::Result<()> {
-    writeln!(out, "\n{ending}")
+    writeln!(out, "\n{}", Status::from(ending))
 }

@@ -7,7 +7,7 @@ use impact_pair::Scene;
 use impact_pair::orbit::{Conclusion, Ending, Event};
 use impact_pair::orbit::{Orbit, Settings};
 use impact_pair::watch::Watch;
-use impact_pair_answers::RunOptions;
+use impact_pair_answers::{RunOptions, Status};
 
 use super::{Panel, Recorder, Sheet, Style, end_of};
 use crate::picture::Look;
@@ -60,13 +60,13 @@ impl Figure {
         Settings { impacts, until, ..self.run.settings(scene) }
     }
 
-    /// Follows the orbit of a scene from its start, and draws it as SVG; also returns how the orbit ended.
-    pub fn draw<'s>(
+    /// Follows the orbit of a scene from its start, and draws it as SVG; also returns how much of it is certified.
+    pub fn draw(
         &self,
         scene: &Scene,
-        (mut orbit, settings): (Orbit, &'s Settings),
+        (mut orbit, settings): (Orbit, &Settings),
         watch: &dyn Watch,
-    ) -> (Result<String>, Ending<'s>) {
+    ) -> (Result<String>, Status) {
         let mut recorder = Recorder::new(&orbit, self.curve_cycles());
         let mut last: Option<Event> = None;
         let _ = orbit.follow(watch, |orbit, step| {
@@ -76,7 +76,7 @@ impl Figure {
         });
         let impacts = orbit.listed();
         let conclusion = Conclusion::of(&orbit, last.as_ref());
-        let ending = Ending::of(&orbit, conclusion, settings);
+        let status = Status::from(&Ending::of(&orbit, conclusion, settings));
         let trace = recorder.finish(&orbit, settings, impacts);
         let sheet = Sheet {
             scene,
@@ -86,9 +86,9 @@ impl Figure {
             orbit_cycles: self.orbit_cycles,
             zoom: self.zoom,
             style: Style { is_certified: settings.arithmetic.is_certified(), transient: self.transient },
-            verdict: ending.to_string(),
+            verdict: status.to_string(),
             look: &self.look,
         };
-        (sheet.svg(), ending)
+        (sheet.svg(), status)
     }
 }
