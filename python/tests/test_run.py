@@ -186,3 +186,9 @@ def test_readme_is_true(monkeypatch):
         assert not found.failed
     for module in (impact_pair, impact_pair.bounds, impact_pair.scene):
         assert not doctest.testmod(module, optionflags=doctest.ELLIPSIS).failed
+
+
+def test_the_last_line_names_keywords():
+    orbit = Scene.named("figure-14").run(impacts=500, max_bits=64)
+    assert not orbit.complete
+    assert repr(orbit).endswith("; try fewer digits or more max_bits")
