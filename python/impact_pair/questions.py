@@ -66,9 +66,9 @@ def ask(
     Raises
     ------
     SceneError
-        When the scene is none: a key is unknown or missing, or a value has the wrong kind.
+        When the scene is malformed: a key is unknown or missing, or a value has the wrong kind.
     RangeError
-        When a value is out of range, there is no such verb or option, or the question is no JSON.
+        When a value is out of range, there is no such verb or option, or the question is not JSON.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def ask(
 
 
 def kind_of(verb: str, options: Mapping[str, Any]) -> type[Document]:
-    """Return the class of an answer, which may depend on the options; a verb that there is not is refused when it is asked."""
+    """Return the class of an answer, which may depend on the options. An unknown verb is refused later, by the compiled module."""
     if verb == "chaos" and ":" in str(options.get("over")):
         return answers.ChaosCells
     if verb == "two-impact" and options.get("manifold") is not None:

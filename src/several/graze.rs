@@ -49,7 +49,7 @@ struct Touch {
 }
 
 impl Touch {
-    /// Touch of a flight that is proved free up to a time and convex from there to its bottom, which is not before it and `room` from the wall.
+    /// Touch of a flight that meets no wall before the time `free` and is convex from there to its bottom, `room` from the wall.
     fn new(room: MpBall, side: &Side, rates: &Rates, [free, bottom]: [&Instant<MpBall>; 2]) -> Option<Self> {
         let bend = side.least_bend(rates, bottom.since(free));
         // Lemma H13: `b >= f`, for the bounds of both, and convex between them.

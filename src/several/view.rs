@@ -166,8 +166,8 @@ impl Side {
         (self.bend.0 - up(rates.third * time)).next_down()
     }
 
-    /// Whether the wall is not touched as long as the motion keeps bending away from it by at least `bend` forcing periods around here: from
-    /// no state of the side it comes nearer than by `z'^2/(2 z'')` (Lemma H4).
+    /// Whether the wall is not touched while the motion bends away from it by at least `bend`: the ball comes nearer to it by at most
+    /// `z'^2/(2 bend)`, and twice as much room is asked for (Lemma H4).
     #[inline]
     pub fn stays_clear(&self, bend: f64) -> bool {
         let rate = self.rate.0.abs().max(self.rate.1.abs()); // B2: the farther end

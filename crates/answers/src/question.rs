@@ -102,7 +102,7 @@ impl Question {
     }
 }
 
-/// The error of a document as that of a scene: a question is none.
+/// The error of a scene within a question: no document is at fault.
 fn as_scene(error: Error) -> Error {
     if error.kind() == ErrorKind::Certificate { Error::scene(error.to_string()).because(error) } else { error }
 }
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_question_that_is_none_is_refused_and_a_scene_that_is_none_as_a_scene() {
+    fn a_malformed_question_is_refused_and_a_malformed_scene_as_a_scene() {
         let asked = |scene: &str| format!(r#"{{"verb": "trap", "scene": {scene}}}"#);
         let lacks = refusal(&asked(&SCENE.replace("\"gap\"", "\"gaps\"")));
         assert!(

@@ -56,8 +56,8 @@ pub(super) fn isolate(flight: &Flight<MpBall>) -> Result<Isolated, Undecided> {
     Ok(found)
 }
 
-/// Whether all of these times lie between the extremum before last of its kind and the last, `end`; the sign of z' says on which of the
-/// two pieces (Lemma C4).
+/// Whether a contact at any of these times is on the piece that ends with the extremum at `end`: all are between it and the extremum of its kind
+/// one forcing period earlier, and the sign of z' is that of this piece (Lemma C4).
 fn is_on_last_piece(time: &MpBall, end: &MpBall) -> bool {
     let is_later = (time.clone() - (end.clone() - MpBall::from_f64(1.0))).sign() == Some(Ordering::Greater);
     is_later && time.clone().minus(end).sign() == Some(Ordering::Less)

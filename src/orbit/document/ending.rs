@@ -50,7 +50,7 @@ impl<'s> Ending<'s> {
         self.conclusion.reason().is_none() && self.wide.is_none()
     }
 
-    /// Changes each of which is known to lead further; none where nothing is known to.
+    /// Changes that are each known to lead further; empty where none is known.
     pub fn advice(&self) -> Vec<Advice> {
         use Advice::{AutoArithmetic, FewerDigits, MoreBits, NarrowerIntervals};
         let Settings { arithmetic, digits, max_bits, .. } = *self.settings;
@@ -85,7 +85,7 @@ impl<'s> Ending<'s> {
     }
 }
 
-/// What is certified, and what is not.
+/// The outcome in words, and the first impact that is wider than requested.
 impl fmt::Display for Ending<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let message = self.conclusion.message();
