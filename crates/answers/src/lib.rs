@@ -50,6 +50,7 @@ mod trap;
 mod two_impact;
 pub mod values;
 mod windows;
+mod witness;
 
 use anyhow::Result;
 use clap::ValueEnum;
@@ -77,6 +78,7 @@ pub use trade::TradeOptions;
 pub use trap::TrapOptions;
 pub use two_impact::TwoImpactOptions;
 pub use windows::WindowsOptions;
+pub use witness::WitnessOptions;
 
 use heading::{heading, pair_heading};
 use periodic::{physical, symmetric};
