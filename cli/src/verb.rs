@@ -110,7 +110,8 @@ pub fn answer<V: Verb, O: Outputs>(arguments: Arguments<V, O>) -> Result<Exit> {
     let files = destination.open(&all, outputs.plot())?;
     let named = |error: Error| if error.is::<impact_pair::Error>() { error.context(scene::name(&path)) } else { error };
     let progress = Progress::counting(options.counts(&scene), !files.quiet);
-    let asked = Asked { scene: &scene, name: &path.display().to_string(), is_drawn: outputs.plot().is_some() };
+    let (name, is_drawn) = (path.display().to_string(), outputs.plot().is_some());
+    let asked = Asked { scene: &scene, name: &name, is_drawn, is_document: format == Format::Json };
     let found = options.answer(&asked, &progress).map_err(|failure| placed(failure, &path))?;
     progress.clear();
     found.notes().iter().for_each(|line| note(files.quiet, line));

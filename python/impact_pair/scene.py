@@ -437,11 +437,15 @@ class Scene:
         all: bool = False,
         digits: int | None = None,
         max_bits: int = MAX_BITS,
+        no_witness: bool = False,
         progress: Progress = None,
         keep_partial: bool = False,
     ) -> answers.Periodic:
-        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere."""
-        options = {"word": word, "cycles": cycles, "all": all, "digits": digits, "max_bits": max_bits}
+        """Prove the periodic orbits of a word (``"P2 P1"`` or ``"RL"``) in ``cycles`` forcing periods; ``all``: search everywhere.
+
+        The document of a search has a witness, with which ``check`` proves that there are no others; ``no_witness`` leaves it out.
+        """
+        options = {"word": word, "cycles": cycles, "all": all, "digits": digits, "max_bits": max_bits, "no_witness": no_witness}
         return self._answer(answers.Periodic, "periodic", ("cells", None), (False, progress, keep_partial), **options)
 
     def two_impact(

@@ -39,6 +39,7 @@ impl Units<Exact> {
             certified: census.is_certified(),
             orbits: census.orbits.iter().map(|orbit| self.orbit(problem, orbit)).collect(),
             undecided: (!census.undecided.is_empty()).then_some(undecided),
+            witness: None,
         }
     }
 

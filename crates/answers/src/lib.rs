@@ -127,6 +127,8 @@ pub struct Asked<'s> {
     pub name: &'s str,
     /// True if a picture is requested as well.
     pub is_drawn: bool,
+    /// True if the answer is written as a document: then its witness is made.
+    pub is_document: bool,
 }
 
 /// The answer of a verb.

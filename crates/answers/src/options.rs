@@ -133,7 +133,7 @@ mod tests {
         let accepted = "cycles is 0, but accepted is a whole number from 1 to 1000000";
         assert_eq!(refusal::<PeriodicOptions>(given), accepted);
         assert_eq!(refusal::<PeriodicOptions>(json!({"cycles": 1})), "word is missing");
-        let unknown = "wrod is not an option of periodic: accepted are word, cycles, all, max-bits, digits";
+        let unknown = "wrod is not an option of periodic: accepted are word, cycles, all, max-bits, no-witness, digits";
         assert_eq!(refusal::<PeriodicOptions>(json!({"wrod": "RL"})), unknown);
         let given = json!({"word": "RL", "cycles": 1, "all": "yes"});
         assert_eq!(refusal::<PeriodicOptions>(given), "all is \"yes\", but accepted is true or false");

@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::Args;
 use impact_pair::Scene;
 use impact_pair::exact::{Enclosure, Exact, decimal_digits};
-use impact_pair::json::counted;
+use impact_pair::json::{PeriodicDocument, SearchWitness, counted};
 use impact_pair::mapping::Word;
 use impact_pair::periodic::chain::MOST_CYCLES;
 use impact_pair::periodic::{Budget, Census, Eigenvalue, PeriodicOrbit, Problem, Stability};
@@ -14,7 +14,7 @@ use impact_pair::units::Units;
 use impact_pair::watch::Watch;
 
 use crate::values::{PrecisionArguments, whole};
-use crate::{Answer, Asked, Counts, Failure, Format, Status, Step, TABLE_OR_JSON, Verb, heading, line};
+use crate::{Answer, Asked, Counts, Failure, Format, Status, Step, TABLE_OR_JSON, Verb, WitnessOptions, heading, line};
 
 /// Options of `periodic`.
 #[derive(Args, Clone, Debug)]
@@ -32,6 +32,9 @@ pub struct PeriodicOptions {
     /// Width of the enclosures.
     #[command(flatten)]
     pub precision: PrecisionArguments,
+    /// Whether the tree of a search is part of its document.
+    #[command(flatten)]
+    pub witness: WitnessOptions,
 }
 
 /// The proved orbits of a word.
@@ -40,6 +43,7 @@ pub struct Periodic<'s> {
     problem: Problem,
     units: Units<Exact>,
     census: Census,
+    witness: Option<SearchWitness>,
 }
 
 impl Verb for PeriodicOptions {
@@ -52,7 +56,8 @@ impl Verb for PeriodicOptions {
         if self.all { Counts::Cells } else { Counts::Nothing("searching for orbits") }
     }
 
-    fn answer<'s>(&self, Asked { scene, .. }: &Asked<'s>, watch: &dyn Watch) -> Result<Periodic<'s>, Failure> {
+    fn answer<'s>(&self, asked: &Asked<'s>, watch: &dyn Watch) -> Result<Periodic<'s>, Failure> {
+        let Asked { scene, is_document, .. } = asked;
         let problem = Problem::new(scene.pair(), &self.word, self.cycles)?;
         let units = Units::gaps(problem.pair())?;
         let (start, precision) = (scene.start(), self.precision.of(scene));
@@ -60,7 +65,9 @@ impl Verb for PeriodicOptions {
             true => problem.find_all_while(start, precision, Budget::default(), watch),
             false => problem.find_while(start, precision, watch),
         };
-        Ok(Periodic { scene, problem, units, census })
+        let has_witness = *is_document && !self.witness.no_witness;
+        let witness = has_witness.then(|| problem.search_witness(&census, precision, watch));
+        Ok(Periodic { scene, problem, units, census, witness: witness.flatten() })
     }
 }
 
@@ -103,7 +110,10 @@ impl Answer for Periodic<'_> {
 
     fn text(&self, format: Format) -> Result<Option<String>> {
         Ok(Some(match format {
-            Format::Json => line(&self.units.document(&self.problem, self.scene.start(), &self.census))?,
+            Format::Json => {
+                let document = self.units.document(&self.problem, self.scene.start(), &self.census);
+                line(&PeriodicDocument { witness: self.witness.clone(), ..document })?
+            }
             _ => self.table()?,
         }))
     }
@@ -111,7 +121,7 @@ impl Answer for Periodic<'_> {
 
 impl Periodic<'_> {
     fn table(&self) -> Result<String, fmt::Error> {
-        let Self { scene, problem, units, census } = self;
+        let Self { scene, problem, units, census, .. } = self;
         let mut out = heading(scene);
         let cycles = problem.chain().cycles();
         writeln!(out, "word {} in {}", problem.word(), counted(cycles, "cycle"))?;

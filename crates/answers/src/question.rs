@@ -65,7 +65,8 @@ const fn verb<V: Verb>() -> (&'static str, Ask) {
 
 fn ask<'q, V: Verb>(question: &'q Question, watch: &dyn Watch) -> Result<Box<dyn Answer + 'q>, Failure> {
     let options: V = read_options(V::NAME, &question.options)?;
-    let asked = Asked { scene: &question.scene, name: &question.name, is_drawn: question.is_drawn };
+    let Question { scene, name, is_drawn, .. } = question;
+    let asked = Asked { scene, name, is_drawn: *is_drawn, is_document: true };
     Ok(Box::new(options.answer(&asked, watch)?))
 }
 

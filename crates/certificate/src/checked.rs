@@ -172,6 +172,15 @@ impl Certificate {
 
 impl Checked for PeriodicCertificate {
     checked!("orbits", "orbit");
+
+    fn all(&self) -> String {
+        let orbits = self.first(self.count());
+        if self.search.is_some() { format!("{orbits}, and that there are no others") } else { orbits }
+    }
+
+    fn claims_nothing(&self) -> bool {
+        self.count() == 0 && self.search.is_none()
+    }
 }
 
 impl Checked for CyclesCertificate {

@@ -16,6 +16,16 @@ pub(crate) struct PeriodicCertificate {
     pub(super) says_all_is_proved: bool,
     pub(super) has_no_rest: bool,
     pub(super) mirrors_are_one: bool,
+    /// The tree of a search, with which it is proved that the word has no other orbits.
+    pub(super) search: Option<Search>,
+}
+
+/// A word of which all orbits are listed, and the tree of the search for them.
+#[derive(Clone, Debug)]
+pub(super) struct Search {
+    pub word: Word,
+    pub cycles: u64,
+    pub tree: String,
 }
 
 /// An orbit, its word and the cycles of the word.
@@ -46,9 +56,19 @@ impl PeriodicCertificate {
         if !matches!(own.mappings(), [Mapping::P1, Mapping::P2] | [Mapping::P2, Mapping::P1]) {
             return Err(whole.get("word")?.refused("accepted of two-impact motions are \"P1 P2\" and \"P2 P1\""));
         }
-        let undecided = None;
-        let document =
-            PeriodicDocument { schema, scene, word, cycles, exhaustive, excludes, certified, orbits, undecided };
+        let (undecided, witness) = (None, None);
+        let document = PeriodicDocument {
+            schema,
+            scene,
+            word,
+            cycles,
+            exhaustive,
+            excludes,
+            certified,
+            orbits,
+            undecided,
+            witness,
+        };
         Ok((Self::of(&whole, document, has_rest)?, marks))
     }
 
@@ -64,8 +84,10 @@ impl PeriodicCertificate {
             });
         let orbits = orbits.collect::<Result<_, Error>>()?;
         let says_all_is_proved = document.certified;
+        let tree = document.witness.and_then(|witness| witness.tree).filter(|_| document.exhaustive);
+        let search = tree.map(|tree| Search { word, cycles, tree });
         let (pair, _) = document.scene.model()?;
-        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, ..Self::new(pair, orbits)? })
+        Ok(Self { says_all_is_proved, has_no_rest: !has_rest, search, ..Self::new(pair, orbits)? })
     }
 
     /// The orbits of the JSON of all cycles.
@@ -95,7 +117,7 @@ impl PeriodicCertificate {
         // Phases are counted from the time 0; no orbit depends on the scene's start.
         let start = Start::on_wall(Exact::from(0), Wall::Left, Exact::from(0))?;
         let (says_all_is_proved, has_no_rest, mirrors_are_one) = (false, true, false);
-        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one })
+        Ok(Self { pair, start, orbits, says_all_is_proved, has_no_rest, mirrors_are_one, search: None })
     }
 
     /// Number of claimed orbits.

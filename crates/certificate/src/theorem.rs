@@ -17,12 +17,16 @@ impl Claims {
         let fixed = match &self.of {
             Of::Orbit(certificate) => return certificate.theorem(),
             Of::Global(certificate) => certificate.theorem(),
-            Of::Periodic(_) => {
-                "for all parameters of the scene each listed orbit exists within its bounds, in the listed forcing periods, once in the list; \
+            Of::Periodic(certificate) => {
+                let listed = "for all parameters of the scene each listed orbit exists within its bounds, in the listed forcing periods, once in the list; \
                  where `unique` is true no other orbit of its word and cycles has its first impact there; where `physical` is true its impacts \
                  are the first contacts one after the other, where false a wall is touched earlier, and it solves the equations of its word \
                  alone; it runs `times` through a shorter orbit, once if there is no such key; symmetry, trace, determinant, eigenvalues, \
-                 stability, spacing and sine are as listed"
+                 stability, spacing and sine are as listed";
+                let complete = certificate.search.as_ref().map_or("", |_| {
+                    "; its word has no other admissible orbit in these forcing periods, apart from motions that rest"
+                });
+                return format!("{listed}{complete}");
             }
             Of::Cycles(_) => {
                 "for all parameters of the scene each listed cycle of the map mirrored to one wall exists within its bounds, with first \

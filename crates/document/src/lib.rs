@@ -41,6 +41,7 @@ mod sweep;
 mod tangency;
 mod trade;
 mod windows;
+mod witness;
 
 pub use atlas::*;
 pub use audit::*;
@@ -64,6 +65,7 @@ pub use sweep::*;
 pub use tangency::*;
 pub use trade::*;
 pub use windows::*;
+pub use witness::*;
 
 /// Returns name and version of this program.
 pub const PROGRAM: &str = concat!("impact-pair ", env!("CARGO_PKG_VERSION"));

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::number::Bounds;
 use super::scene::SceneDocument;
+use super::witness::SearchWitness;
 
 /// The schema of the periodic JSON.
 pub const PERIODIC_SCHEMA: &str = "impact-pair/periodic/1";
@@ -36,6 +37,9 @@ pub struct PeriodicDocument {
     /// Where others are not excluded.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub undecided: Option<Vec<RegionDocument>>,
+    /// What `check` proves with that the list is complete; it claims nothing.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub witness: Option<SearchWitness>,
 }
 
 /// A part of the state space that may contain an orbit.

@@ -91,15 +91,16 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
         let Some(mut open) = self.open.take() else { return };
         while self.undecided.len() < MOST_UNDECIDED && !open.is_empty() && self.look() {
             let Some(narrow) = open.pop().and_then(|part| self.narrow(part, &self.terms.whole())) else { continue };
-            let is_last = narrow.part.wid() <= self.task.narrowest;
-            if narrow.part.wid() <= KNOWN_ORBIT_WIDTH && self.is_known(&narrow.part, narrow.is_regular || is_last) {
+            if self.holds_known(&narrow) {
                 continue;
             }
-            if is_last {
+            if self.is_last(&narrow) {
                 self.undecided.push(self.region(&narrow.part, Reason::Precision));
                 continue;
             }
-            open.extend(halves(narrow));
+            let across = narrow.across();
+            let middle = narrow.part.phases[across].mid();
+            open.extend(narrow.part.halved(across, middle));
         }
         self.open = Some(open);
     }
@@ -131,6 +132,17 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
             }
             part = terms.cut(part, stretch)?;
         }
+    }
+
+    /// Whether a narrow part holds no orbit but a known one; an orbit that is found there is known from then on.
+    pub fn holds_known(&mut self, narrow: &Narrow) -> bool {
+        let looks = narrow.is_regular || self.is_last(narrow);
+        narrow.part.wid() <= KNOWN_ORBIT_WIDTH && self.is_known(&narrow.part, looks)
+    }
+
+    /// Whether a part is too narrow to be halved.
+    pub fn is_last(&self, narrow: &Narrow) -> bool {
+        narrow.part.wid() <= self.task.narrowest
     }
 
     /// Whether a known orbit is the only one in the part; if none is known and `looks` is set, an orbit is searched for first.
@@ -176,17 +188,13 @@ impl<'t, 'p, S: Chained> Cell<'t, 'p, S> {
     }
 }
 
-/// Halves of a part: cut at the phase that the equations determine least or, if that phase is narrow, depend on most.
-fn halves(Narrow { part, rows, weakest, .. }: Narrow) -> [Part; 2] {
-    let weights = rows.weights(part.phases.len());
-    let weight = |j: &usize| weights[*j] * part.phases[*j].wid();
-    let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
-    let across = if part.phases[weakest].wid() >= RELATIVE_WIDTH * part.wid() { weakest } else { heaviest };
-    let (lo, hi) = (part.phases[across].inf(), part.phases[across].sup());
-    let middle = part.phases[across].mid();
-    let mut other = part.clone();
-    other.phases[across] = Interval::new(middle, hi);
-    let mut part = part;
-    part.phases[across] = Interval::new(lo, middle);
-    [part, other]
+impl Narrow {
+    /// Phase to halve the part at: the one that the equations determine least or, if that is narrow, the one they depend on most.
+    pub fn across(&self) -> usize {
+        let Self { part, rows, weakest, .. } = self;
+        let weights = rows.weights(part.phases.len());
+        let weight = |j: &usize| weights[*j] * part.phases[*j].wid();
+        let heaviest = (0..weights.len()).max_by(|a, b| weight(a).total_cmp(&weight(b))).unwrap_or(0); // proposes
+        if part.phases[*weakest].wid() >= RELATIVE_WIDTH * part.wid() { *weakest } else { heaviest }
+    }
 }

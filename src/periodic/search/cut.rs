@@ -302,16 +302,24 @@ impl<'c> Terms<'c> {
         Some(())
     }
 
-    /// The ball is in the gap on its way: its displacement is `g (c - beta S(g) cos 2 pi(u + g/2))` after a time `g`.
+    /// The ball is in the gap on its way.
     fn look(&self, part: &Part, i: usize) -> Option<()> {
-        let wall = self.chain.walls()[i];
-        for fraction in FLIGHT_FRACTIONS {
-            let since = part.times[i].scaled(fraction);
-            let at = part.phases[i] + since.scaled(0.5);
-            let travel = since * (part.drifts[i] - self.mean(since, at));
-            travel.signed(wall.sign()).intersection(Interval::new(0.0, 1.0))?;
-        }
-        Some(())
+        FLIGHT_FRACTIONS.iter().all(|&fraction| self.may_be_in_gap(part, i, fraction)).then_some(())
+    }
+
+    /// Whether the ball may be in the gap after a fraction of flight `i`: its displacement is `g (c - beta S(g) cos 2 pi(u + g/2))` after
+    /// a time `g`.
+    fn may_be_in_gap(&self, part: &Part, i: usize, fraction: f64) -> bool {
+        let since = part.times[i].scaled(fraction);
+        let at = part.phases[i] + since.scaled(0.5);
+        let travel = since * (part.drifts[i] - self.mean(since, at));
+        travel.signed(self.chain.walls()[i].sign()).intersection(Interval::new(0.0, 1.0)).is_some()
+    }
+
+    /// Whether all flights of a part may be in the gap at each of so many equal parts of their times.
+    pub fn stays_in_gap(&self, part: &Part, parts: u32) -> bool {
+        let fractions = || (1..parts).map(|n| f64::from(n) / f64::from(parts)); // T9: any fractions
+        (0..self.chain.impacts()).all(|i| fractions().all(|fraction| self.may_be_in_gap(part, i, fraction)))
     }
 }
 
@@ -356,6 +364,15 @@ impl Part {
             *x = x.intersection(y)?;
         }
         Some(both)
+    }
+
+    /// Both sides of a place within one phase.
+    pub fn halved(self, phase: usize, place: f64) -> [Self; 2] {
+        let (lo, hi) = (self.phases[phase].inf(), self.phases[phase].sup());
+        let (mut lower, mut upper) = (self.clone(), self);
+        lower.phases[phase] = Interval::new(lo, place);
+        upper.phases[phase] = Interval::new(place, hi);
+        [lower, upper]
     }
 
     /// Middle of the phases.

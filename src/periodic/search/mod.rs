@@ -5,6 +5,7 @@ mod cell;
 mod cut;
 mod grow;
 pub(crate) mod newton;
+mod tree;
 mod waves;
 
 use std::sync::Mutex;
@@ -80,7 +81,7 @@ impl Problem {
         watch: &dyn Watch,
     ) -> Census {
         let terms = Terms::new(&self.chain, shaken.pair(), shaken.rates());
-        let narrowest = 2f64.powi(-(budget.halvings as i32)).max(terms.spread() / 16.0); // proposes: when to stop
+        let narrowest = narrowest(&terms, budget);
         let done = AtomicUsize::new(0);
         let of = self.cells() as usize; // exact: small
         let watch = |_: Stage<'_>| watch.proceed(Stage::Cells { done: done.load(Ordering::Relaxed), of });
@@ -146,6 +147,11 @@ impl Problem {
         };
         (is_in(&again, orbit) || is_in(orbit, &again)).then_some((again, identity))
     }
+}
+
+/// Width below which a box is not halved, in forcing periods.
+fn narrowest(terms: &Terms<'_>, budget: Budget) -> f64 {
+    2f64.powi(-(budget.halvings as i32)).max(terms.spread() / 16.0) // proposes: when to stop
 }
 
 #[cfg(test)]

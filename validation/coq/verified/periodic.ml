@@ -10,7 +10,7 @@ let schema = "impact-pair/periodic/1"
 type claim = { data : data; start : beginning; named : mapping list; periods : Z.t; orbits : cycle list }
 
 (* Keys that claim nothing. *)
-let no_claims = [ "program" ]
+let no_claims = [ "program"; "witness" ]
 
 (* From JSON. *)
 

@@ -93,7 +93,7 @@ mod tests {
     fn said(options: &str) -> [String; 2] {
         let options: RunOptions = read_options(RunOptions::NAME, &serde_json::from_str(options).unwrap()).unwrap();
         let scene = scene("figure-14");
-        let asked = Asked { scene: &scene, name: "scene.toml", is_drawn: false };
+        let asked = Asked { scene: &scene, name: "scene.toml", is_drawn: false, is_document: false };
         let status = options.answer(&asked, &Unwatched).unwrap().status();
         [status.to_string(), status.in_python()]
     }

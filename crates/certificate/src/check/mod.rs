@@ -23,6 +23,7 @@ mod chain;
 mod chaos;
 mod chatter;
 mod clock;
+mod complete;
 mod contact;
 mod curve;
 mod cycles;

@@ -8,6 +8,7 @@
 use super::attraction::{for_all_pieces, widest_datum};
 use super::basin::{basin, stepped};
 use super::budget::Budget;
+use super::complete::List;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::distinct::{Recurrence, begins_within};
@@ -15,7 +16,8 @@ use super::frame::Frame;
 use super::round::Round;
 use super::target::{BITS, Target};
 use super::{Limits, Verdict, one_by_one};
-use crate::periodic::{OrbitOf, PeriodicCertificate};
+use crate::attraction::ClaimedOrbit;
+use crate::periodic::{OrbitOf, PeriodicCertificate, Search};
 use impact_pair_exact::Real;
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
@@ -35,7 +37,13 @@ impl PeriodicCertificate {
             target.is_an_orbit(limits.pieces).map(|()| BITS)
         };
         let each = one_by_one(self.orbits.iter().enumerate(), (&budget, limits.work), judge, &watch);
-        let whole = |_| self.whole(&data).map_err(|doubt| doubt.on(self.orbits.len()));
+        let whole = |_| {
+            budget.add(limits.work);
+            self.whole(&data).map_err(|doubt| match budget.is_stopped() {
+                true => Verdict::Interrupted { events: self.orbits.len() },
+                false => doubt.on(self.orbits.len()),
+            })
+        };
         Ok(each.and_then(whole).map_or_else(|verdict| verdict, |()| Verdict::Confirmed { bits: BITS, pieces: 1 }))
     }
 
@@ -49,10 +57,17 @@ impl PeriodicCertificate {
         if let Some(i) = repeated {
             return Err(Doubt::False(format!("orbits[{i}] is not claimed to have its least period")));
         }
-        if self.orbits.is_empty() {
+        if self.orbits.is_empty() && self.search.is_none() {
             return Err(Doubt::open("there is no orbit to check"));
         }
-        self.are_distinct(data)
+        self.are_distinct(data)?;
+        self.search.as_ref().map_or(Ok(()), |search| self.is_complete(data, search))
+    }
+
+    /// Proves that the word has no orbits that are not listed. Lemma V41
+    fn is_complete(&self, data: &Data, Search { word, cycles, tree }: &Search) -> Result<(), Doubt> {
+        let orbits: Vec<&ClaimedOrbit> = self.orbits.iter().map(|claim| &claim.orbit).collect();
+        List::new(data, word, *cycles, &orbits)?.is_complete(tree)
     }
 
     /// Proves that each orbit is listed once. Lemma V13

@@ -46,7 +46,7 @@ pub(super) enum Said {
     Claimed,
     /// It claims nothing: a request, a method, words on what is undecided.
     Setting,
-    /// This value claims nothing, as `false` of a flag.
+    /// This value claims nothing, as `false` of a flag, or a witness.
     Nothing,
 }
 
@@ -72,6 +72,11 @@ pub(super) fn claimed(why: &'static str) -> Mark {
 /// A value that claims nothing.
 pub(super) fn setting(why: &'static str) -> Mark {
     Mark { said: Said::Setting, by: "", why, ..checked("") }
+}
+
+/// What these lemmas prove claims with: it claims nothing itself.
+pub(super) fn witness(by: &'static str) -> Mark {
+    Mark { said: Said::Nothing, by, why: "a witness: claims are proved with it", ..checked("") }
 }
 
 /// A struct, with what is said of each of its fields: without one of them it does not compile.

@@ -8,9 +8,10 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::{Bifurcation, Stability};
 
 use super::scene::{PROGRAM, READ, Unused, range, scene};
-use super::{Mark, checked, claimed, each, fields, items, optional, setting};
+use super::{Mark, checked, claimed, each, fields, items, optional, setting, witness};
 
 const EXHAUSTIVE: &str = "no lemma of the check covers a search";
+const NO_TREE: &str = "it has no tree of the search";
 const OPEN: &str = "what the search leaves open";
 const CUT: &str = "the search was cut short";
 const LEFT_OUT: &str = "what an exhaustive list leaves out";
@@ -72,12 +73,13 @@ fn orbits(all: &[PeriodicOrbitDocument]) -> Mark {
 }
 
 /// That all is proved, which of an exhaustive list includes that there are no others.
-fn is_certified(certified: bool, exhaustive: bool) -> Mark {
-    checked("V8").used(!exhaustive, EXHAUSTIVE).flag(certified)
+fn is_certified(certified: bool, is_unchecked: bool) -> Mark {
+    checked("V8").used(!is_unchecked, EXHAUSTIVE).flag(certified)
 }
 
 /// A periodic JSON.
 pub(crate) fn periodic(document: &PeriodicDocument) -> Mark {
+    let has_tree = document.witness.as_ref().is_some_and(|witness| witness.tree.is_some());
     fields!(
         document,
         PeriodicDocument {
@@ -85,11 +87,12 @@ pub(crate) fn periodic(document: &PeriodicDocument) -> Mark {
             scene: scene(&document.scene, &Unused::start()),
             word: checked("V8"),
             cycles: checked("V8"),
-            exhaustive: claimed(EXHAUSTIVE).flag(document.exhaustive),
+            exhaustive: checked("V41").only(has_tree, NO_TREE).flag(document.exhaustive),
             excludes: setting(LEFT_OUT),
-            certified: is_certified(document.certified, document.exhaustive),
+            certified: is_certified(document.certified, document.exhaustive && !has_tree),
             orbits: orbits(&document.orbits),
             undecided: setting(OPEN),
+            witness: witness("V41"),
         }
     )
 }

@@ -20,7 +20,7 @@ mod language;
 mod propose;
 mod region;
 mod said;
-mod span;
+pub(in crate::check) mod span;
 #[cfg(test)]
 mod tests;
 mod trap;

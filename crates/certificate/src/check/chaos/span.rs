@@ -9,7 +9,7 @@ use super::BITS;
 
 /// All numbers between two finite doubles; where an operation fails both are NaN, which no comparison passes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(in crate::check) struct Span {
     lo: f64,
     hi: f64,
 }
@@ -139,6 +139,17 @@ impl Span {
 
     pub fn signed(self, is_positive: bool) -> Self {
         if is_positive { self } else { -self }
+    }
+
+    /// Sine and cosine of a phase in forcing periods.
+    pub fn waves_at(phase: f64) -> (Self, Self) {
+        let whole = Self { lo: -1.0, hi: 1.0 };
+        if phase.is_nan() || phase.abs() > LARGEST_PHASE {
+            return (whole, whole);
+        }
+        let (sin, cos) = waves(phase);
+        let near = |x: f64| Self::outward(x - WAVE_ERROR, x + WAVE_ERROR).common(whole).unwrap_or(whole); // V11: both hold it
+        (near(sin), near(cos))
     }
 
     fn corners([a, b, c, d]: [f64; 4]) -> Self {
