@@ -51,6 +51,28 @@ snapshots_of_two_harmonics! {
     two_harmonics_and_all: "3*pi", ["--cycles", "3", "--all"];
 }
 
+/// A list without its witness is as complete, but `check` cannot prove it.
+#[test]
+fn a_list_without_its_witness_is_not_proved_to_be_complete() {
+    let folder = tempfile::tempdir().unwrap();
+    let checked = |arguments: &[&str]| {
+        let path = folder.path().join("orbits.json");
+        let target = path.to_str().unwrap();
+        let all =
+            ["scenes/figure-13.toml", "--word", "LR", "--cycles", "1", "--all", "--format", "json", "--output", target];
+        assert!(periodic(&[&all[..], arguments].concat()).output().unwrap().status.success());
+        let check = common::verb("check", &[target]).output().unwrap();
+        (std::fs::read_to_string(&path).unwrap(), String::from_utf8(check.stdout).unwrap())
+    };
+    let (whole, proved) = checked(&[]);
+    assert!(
+        whole.contains("\"witness\":{\"tree\":")
+            && proved.starts_with("confirmed: 2 orbits, and that there are no others")
+    );
+    let (without, proved) = checked(&["--no-witness"]);
+    assert!(!without.contains("witness") && proved.starts_with("confirmed, but not: exhaustive"), "{proved}");
+}
+
 /// `--output` writes the document whole, and the JSON says what the table says.
 #[test]
 fn the_document_goes_to_the_requested_output() {

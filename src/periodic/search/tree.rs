@@ -16,8 +16,8 @@ use crate::shaken::under;
 use crate::watch::Watch;
 use impact_pair_document::SearchWitness;
 
-/// The greatest number of bytes of a tree.
-const MOST_BYTES: usize = 5_000_000;
+/// Phases of all boxes of a tree, at most: some seconds, and less than 5 MB.
+const MOST_PHASES: usize = 1 << 20;
 /// Names of the phases in a tree.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 /// Parts of a flight at which `check` looks for a virtual orbit outside the gap.
@@ -56,13 +56,14 @@ impl Problem {
         let task = Task { problem: self, shaken, terms, precision, narrowest, known: &census.orbits, watch };
         let mut cell = Cell::new(&task, Interval::new(0.0, f64::from(self.chain.period())));
         let mut open = vec![cell.all()];
-        let mut tree = String::new();
+        let (mut tree, mut phases) = (String::new(), 0);
         while let Some(part) = open.pop() {
             if !watch.goes_on() {
                 return Err("the search was interrupted");
             }
-            if tree.len() > MOST_BYTES {
-                return Err("the tree of the search would be larger than 5 MB");
+            phases += self.chain.impacts();
+            if phases > MOST_PHASES {
+                return Err("the tree of the search would be too large");
             }
             let left = cell.narrow(part, &task.terms.whole()).filter(|narrow| !cell.holds_known(narrow));
             let Some(narrow) = left else {
@@ -105,4 +106,44 @@ fn place_within(phase: Interval) -> (String, f64) {
     });
     let (text, place) = short.unwrap_or_else(|| (middle.to_string(), middle)); // proposes
     (text.strip_prefix("0.").map_or(text.clone(), |rest| format!(".{rest}")), place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::periodic::Budget;
+    use crate::tests::{pair, start};
+    use crate::watch::{Stage, Unwatched, proceed_if};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_place_is_a_short_decimal_in_the_middle_half(lo in 0.0..40.0f64, exponent in -36.0..2.0f64) {
+            let phase = Interval::new(lo, lo + exponent.exp2());
+            let (text, place) = place_within(phase);
+            prop_assert_eq!(format!("0{text}").parse::<f64>().unwrap(), place);
+            prop_assert!(phase.inf() < place && place < phase.sup(), "{text} {phase:?}");
+            prop_assert!(text.chars().all(|c| c.is_ascii_digit() || c == '.'));
+            prop_assert!(text.len() as f64 <= 6.0 - 0.31 * exponent.min(0.0), "{text}");
+        }
+    }
+
+    /// Each box that is halved has two halves; a search that is stopped has none.
+    #[test]
+    fn a_complete_list_has_a_tree_or_says_why_not() {
+        let precision = Precision::default();
+        for (word, ratio, crosses) in [("LR", "1/9.42497", true), ("LLR", "8/9.42497", true), ("RR", "1", false)] {
+            let problem = Problem::new(&pair(ratio, "0.5"), &word.parse().unwrap(), 1).unwrap();
+            let census = problem.find_all(&start(), precision, Budget::default());
+            let tree = problem.search_witness(&census, precision, &Unwatched).unwrap().tree.unwrap();
+            let halved = tree.chars().filter(char::is_ascii_alphabetic).count();
+            assert_eq!(tree.chars().filter(|c| *c == '-').count(), halved + 1, "{tree}");
+            assert_eq!(halved > 0, crosses, "{tree}");
+            let stopped = |_: Stage<'_>| proceed_if(false);
+            let witness = problem.search_witness(&census, precision, &stopped).unwrap();
+            assert_eq!(witness.omitted.is_some(), crosses);
+            let open = Census { exhaustive: false, ..census };
+            assert!(problem.search_witness(&open, precision, &Unwatched).is_none());
+        }
+    }
 }
