@@ -2,7 +2,6 @@
 
 use super::super::chaos::span::Span;
 use super::cell::{Cell, Equations};
-use super::excitation::Wave;
 use impact_pair_model::Wall;
 
 /// Parts of a flight at whose ends the ball is looked for in the gap.
@@ -16,15 +15,16 @@ const MIN_STEP_GAIN: f64 = 0.3;
 /// Rounds of passes and of Newton's equation, each, at most.
 const MOST_ROUNDS: u32 = 32;
 
-/// The excitation at both ends and in the middle of a flight, and over all of its phases.
+/// The excitation along a flight.
 pub(super) struct Along {
-    pub from: Wave,
-    pub to: Wave,
-    middle: Wave,
-    whole: Wave,
     time: Span,
     /// Change of the displacement.
     change: Span,
+    /// Speeds and accelerations of the box at the begin, in the middle and at the end.
+    speeds: [Span; 3],
+    accelerations: [Span; 3],
+    /// The speed over the whole flight, and the derivatives of orders 5 and 6 of the displacement.
+    whole: [Span; 3],
 }
 
 impl Equations {
@@ -58,10 +58,12 @@ impl Equations {
     pub fn along(&self, phases: &[Span], i: usize, time: Span) -> Along {
         let (from, to, half) = (phases[i], self.end(phases, i), time.scaled(0.5));
         let middle = narrower(narrower((from + to).scaled(0.5), from + half), to - half);
+        let whole = self.excitation.derivatives([1, 5, 6], from.hull(to));
         let change = self.excitation.change(middle, time);
-        let [from, to, middle, whole] = [from, to, middle, from.hull(to)].map(|phases| self.excitation.at(phases));
-        let change = narrower(to.displacement() - from.displacement(), change);
-        Along { from, to, middle, whole, time, change }
+        let [from, middle, to] = [from, middle, to].map(|phases| self.excitation.derivatives([0, 1, 2], phases));
+        let change = narrower(to[0] - from[0], change);
+        let [speeds, accelerations] = [1, 2].map(|order| [from[order], middle[order], to[order]]);
+        Along { time, change, speeds, accelerations, whole }
     }
 
     /// Cuts times, phases and drift by the equation of flight `i`.
@@ -90,9 +92,9 @@ impl Equations {
     fn cut_impact(&self, cell: &mut Cell, i: usize) -> Option<()> {
         let (p, e) = (self.previous(i), self.restitution);
         let lossy = Span::point(1.0) + e;
-        let at = self.excitation.at(cell.phases[i]);
+        let [speed, acceleration] = self.excitation.derivatives([1, 2], cell.phases[i]);
         let (before, after) = (cell.drifts[p], cell.drifts[i]);
-        let speed = both_if(at.speed(), (after + e * before).over(lossy))?;
+        let speed = both_if(speed, (after + e * before).over(lossy))?;
         let after = both(after, lossy * speed - e * before)?;
         let before = both_if(before, (lossy * speed - after).over(e))?;
         // The ball comes from inside the gap and leaves to its inside.
@@ -104,7 +106,7 @@ impl Equations {
             }
         };
         (cell.drifts[p], cell.drifts[i]) = (before, after);
-        cell.phases[i] = self.where_speed(cell.phases[i], (speed, at.acceleration()))?;
+        cell.phases[i] = self.where_speed(cell.phases[i], (speed, acceleration))?;
         Some(())
     }
 
@@ -145,24 +147,27 @@ impl Equations {
 }
 
 impl Along {
+    /// Speeds of the box at both ends.
+    pub fn ends(&self) -> [Span; 2] {
+        [self.speeds[0], self.speeds[2]]
+    }
+
     /// Encloses the mean speed of the box over the time of the flight; `None` where its enclosures have nothing in common.
     pub fn mean(&self) -> Option<Span> {
-        let Self { from, to, middle, whole, time, change } = self;
-        let simpson = (from.speed() + middle.speed().scaled(4.0) + to.speed()) * ratio(6.0);
-        let square = *time * *time;
-        let simpson = simpson - square * square * whole.0[5] * ratio(2880.0);
-        both_if(both(whole.speed(), simpson)?, change.over(*time))
+        let Self { time, change, speeds: [from, middle, to], whole: [speed, fifth, _], .. } = *self;
+        let square = time * time;
+        let simpson = (from + middle.scaled(4.0) + to) * ratio(6.0) - square * square * fifth * ratio(2880.0);
+        both_if(both(speed, simpson)?, change.over(time))
     }
 
     /// Encloses the velocities after the first and before the last impact of a hop, over its time.
     pub fn hop(&self) -> [Span; 2] {
-        let Self { from, to, middle, whole, time, .. } = self;
-        let cube = *time * *time * *time;
-        let (short, long) = (cube * whole.0[5].scaled(4.0), Span::new(0.0, 1.0) * *time * cube * whole.0[6]);
-        let [sixth, third, rest] = [6.0, 3.0, 2880.0].map(ratio);
-        let middle = middle.acceleration() * third;
-        let after = from.acceleration() * sixth + middle - (long - short) * rest;
-        let before = to.acceleration() * sixth + middle - (long + short) * rest;
+        let Self { time, accelerations: [from, middle, to], whole: [_, fifth, sixth], .. } = *self;
+        let cube = time * time * time;
+        let (short, long) = (cube * fifth.scaled(4.0), Span::new(0.0, 1.0) * time * cube * sixth);
+        let [end, third, rest] = [6.0, 3.0, 2880.0].map(ratio);
+        let after = from * end + middle * third - (long - short) * rest;
+        let before = to * end + middle * third - (long + short) * rest;
         [after, -before]
     }
 }

@@ -10,10 +10,6 @@ const BITS: u32 = 192;
 /// Derivatives of the displacement that are enclosed, the displacement itself among them.
 const DERIVATIVES: usize = 7;
 
-/// The excitation over an interval of phases: number `n` encloses the derivative of order `n` at all phases of the interval.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Wave(pub [Span; DERIVATIVES]);
-
 /// All harmonics of the excitation.
 #[derive(Clone, Debug)]
 pub(super) struct Excitation {
@@ -35,10 +31,23 @@ impl Excitation {
         Some(Self { terms: data.tones.iter().map(|tone| Term::new(data, tone, &gap)).collect::<Option<_>>()? })
     }
 
-    /// Encloses displacement and derivatives at all these phases, in forcing periods of the reference.
-    pub fn at(&self, phases: Span) -> Wave {
-        let each = self.terms.iter().map(|term| term.at(phases));
-        each.reduce(|sum, one| Wave(std::array::from_fn(|n| sum.0[n] + one.0[n]))).expect("a harmonic")
+    /// Encloses the derivatives of these orders of the displacement at all these phases, in forcing periods of the reference.
+    pub fn derivatives<const N: usize>(&self, orders: [usize; N], phases: Span) -> [Span; N] {
+        let each = self.terms.iter().map(|term| {
+            let waves = sine_and_cosine(term.own(phases));
+            orders.map(|order| term.derivative(order, waves))
+        });
+        each.reduce(|sum, one| std::array::from_fn(|n| sum[n] + one[n])).expect("a harmonic")
+    }
+
+    /// Encloses the displacement.
+    pub fn displacement(&self, phases: Span) -> Span {
+        self.derivatives([0], phases)[0]
+    }
+
+    /// Encloses the speed of the box.
+    pub fn speed(&self, phases: Span) -> Span {
+        self.derivatives([1], phases)[0]
     }
 
     /// Encloses the change of the displacement over a time around a phase, by the addition theorem.
@@ -49,18 +58,6 @@ impl Excitation {
             let [sin, _] = sine_and_cosine((rate * time).scaled(0.5));
             (term.sizes[0] * cos * sin).scaled(2.0)
         });
-        each.reduce(|sum, one| sum + one).expect("a harmonic")
-    }
-
-    /// Encloses the speed alone.
-    pub fn speed(&self, phases: Span) -> Span {
-        let each = self.terms.iter().map(|term| term.sizes[1] * sine_and_cosine(term.own(phases))[1]);
-        each.reduce(|sum, one| sum + one).expect("a harmonic")
-    }
-
-    /// Encloses the displacement alone.
-    pub fn displacement(&self, phases: Span) -> Span {
-        let each = self.terms.iter().map(|term| term.sizes[0] * sine_and_cosine(term.own(phases))[0]);
         each.reduce(|sum, one| sum + one).expect("a harmonic")
     }
 
@@ -90,12 +87,10 @@ impl Term {
         self.own.map_or(phases, |[ratio, shift]| ratio * phases + shift)
     }
 
-    fn at(&self, phases: Span) -> Wave {
-        let [sin, cos] = sine_and_cosine(self.own(phases));
-        Wave(std::array::from_fn(|n| {
-            let wave = if n % 2 == 0 { sin } else { cos };
-            self.sizes[n] * if n % 4 < 2 { wave } else { -wave }
-        }))
+    /// The derivative of this order where the harmonic has this sine and cosine.
+    fn derivative(&self, order: usize, [sin, cos]: [Span; 2]) -> Span {
+        let wave = if order.is_multiple_of(2) { sin } else { cos };
+        self.sizes[order] * if order % 4 < 2 { wave } else { -wave }
     }
 }
 
@@ -105,20 +100,6 @@ fn powers(size: Span, ratio: Span) -> [Span; DERIVATIVES] {
     let mut powers = [size; DERIVATIVES];
     (1..DERIVATIVES).for_each(|n| powers[n] = powers[n - 1] * rate);
     powers
-}
-
-impl Wave {
-    pub fn displacement(&self) -> Span {
-        self.0[0]
-    }
-
-    pub fn speed(&self) -> Span {
-        self.0[1]
-    }
-
-    pub fn acceleration(&self) -> Span {
-        self.0[2]
-    }
 }
 
 /// Ranges of `sin 2 pi u` and `cos 2 pi u` over an interval: the values at its ends, and 1 or -1 where a crest may lie between.

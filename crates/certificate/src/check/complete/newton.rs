@@ -77,7 +77,7 @@ impl Equations {
         };
         let drifts: Vec<Span> = (0..self.count()).map(drift).collect::<Option<_>>()?;
         let miss = |i: usize| {
-            let speed = self.excitation.at(point[i]).speed();
+            let speed = self.excitation.speed(point[i]);
             drifts[i] + self.restitution * drifts[self.previous(i)] - lossy * speed
         };
         Some((0..self.count()).map(miss).collect())
@@ -124,7 +124,7 @@ impl Equations {
         let lossy = Span::point(1.0) + self.restitution;
         let row = |i: usize| {
             let ([arrived_after, arrived], [left, left_before]) = (ratios[self.previous(i)], ratios[i]);
-            let bend = lossy * self.excitation.at(cell.phases[i]).acceleration();
+            let bend = lossy * self.excitation.derivatives([2], cell.phases[i])[0];
             [self.restitution * arrived_after, left - self.restitution * arrived - bend, -left_before]
         };
         let rows: Rows = (0..self.count()).map(row).collect();
@@ -136,7 +136,7 @@ impl Equations {
         let along = self.along(phases, i, time);
         let drift = self.travel(i).over(time).and_then(|straight| Some(straight + along.mean()?));
         let by_time = |speed: Span| drift.and_then(|drift| (drift - speed).over(time));
-        let [after, before] = [by_time(along.from.speed()), by_time(along.to.speed())];
+        let [after, before] = along.ends().map(by_time);
         if !self.is_hop(i) {
             return Some([after?, before?]);
         }
