@@ -42,34 +42,43 @@ impl Enclosure {
 
     /// Encloses sin x. **Cost**: grows with the logarithm of |x|, for the reduction modulo pi/2.
     pub fn sin(&self, bits: u32) -> Enclosure {
-        self.lipschitz(bits, sin)
+        let [sine] = self.lipschitz(bits, |x, bits| [sin(x, bits)]);
+        sine
     }
 
     /// Encloses cos x. **Cost**: as [`sin`](Enclosure::sin).
     pub fn cos(&self, bits: u32) -> Enclosure {
-        self.lipschitz(bits, cos)
+        let [cosine] = self.lipschitz(bits, |x, bits| [cos(x, bits)]);
+        cosine
     }
 
-    /// Encloses f over the interval for f = sin or cos: both are 1-Lipschitz, so f([m - r, m + r]) lies in f(m) +- r.
-    fn lipschitz(&self, bits: u32, f: fn(&Dyadic, u32) -> Enclosure) -> Enclosure {
+    /// Encloses sin x and cos x. **Cost**: little more than that of one of them.
+    pub fn sin_cos(&self, bits: u32) -> [Enclosure; 2] {
+        self.lipschitz(bits, sin_cos)
+    }
+
+    /// Encloses each f over the interval for f = sin or cos: both are 1-Lipschitz, so f([m - r, m + r]) lies in f(m) +- r.
+    fn lipschitz<const N: usize>(&self, bits: u32, f: fn(&Dyadic, u32) -> [Enclosure; N]) -> [Enclosure; N] {
         let one = Dyadic::power_of_two(0);
         let whole = Enclosure::new(one.negated(), one).expect("-1 < 1");
+        let within = |value: Enclosure| value.intersection(&whole).unwrap_or_else(|| whole.clone()); // X1: both hold it
         if self.is_point() {
-            return f(self.inf(), bits).intersection(&whole).unwrap_or(whole); // X1: both hold it
+            return f(self.inf(), bits).map(within);
         }
         let radius_bits = 32;
         let width = self.wid();
         if width >= Dyadic::power_of_two(3) {
-            return whole; // longer than a period
+            return std::array::from_fn(|_| whole.clone()); // longer than a period
         }
         let middle = self.inf().plus(self.sup(), bits.saturating_add(4), Round::Down).scaled(-1); // X1: any middle
         let left = middle.plus(&self.inf().negated(), radius_bits, Round::Up);
         let right = self.sup().plus(&middle.negated(), radius_bits, Round::Up);
         let radius = left.max(right); // X1: the farther end
-        let value = f(&middle, bits);
-        let lo = value.inf().plus(&radius.negated(), bits, Round::Down);
-        let spread = Enclosure::new(lo, value.sup().plus(&radius, bits, Round::Up)).expect("a radius is not negative");
-        spread.intersection(&whole).unwrap_or(whole) // X1: both hold it
+        f(&middle, bits).map(|value| {
+            let lo = value.inf().plus(&radius.negated(), bits, Round::Down);
+            let hi = value.sup().plus(&radius, bits, Round::Up);
+            within(Enclosure::new(lo, hi).expect("a radius is not negative"))
+        })
     }
 }
 
@@ -162,6 +171,16 @@ fn cos(x: &Dyadic, bits: u32) -> Enclosure {
     Reduced::new(x, bits).sin_of_quadrant(1).rounded(bits)
 }
 
+/// Encloses sin x and cos x, each as near as alone.
+fn sin_cos(x: &Dyadic, bits: u32) -> [Enclosure; 2] {
+    if is_tiny(x, bits) {
+        return [sin_of_tiny(x, bits), cos_of_tiny(x, bits)];
+    }
+    let reduced = Reduced::new(x, bits);
+    let sine = reduced.sine();
+    [0, 1].map(|quarter_turns| reduced.of_quadrant(quarter_turns, &sine).rounded(bits))
+}
+
 /// True where x^2 is below `2^-bits`, so that one term of the series is enough.
 fn is_tiny(x: &Dyadic, bits: u32) -> bool {
     x.top().is_none_or(|top| 2 * (top + 1) < -i64::from(bits))
@@ -217,15 +236,24 @@ impl Reduced {
         Reduced { scale, quadrant, remainder, error: BigInt::from(input_error) + 3 }
     }
 
-    /// Encloses sin(x + quarter_turns * pi/2) by the quadrant: sin r, cos r, -sin r or -cos r; with all guard digits.
+    /// Encloses sin(x + quarter_turns * pi/2), with all guard digits.
     fn sin_of_quadrant(&self, quarter_turns: u8) -> Enclosure {
+        self.of_quadrant(quarter_turns, &self.sine())
+    }
+
+    /// sin r, and a bound of its error in units.
+    fn sine(&self) -> (BigInt, BigInt) {
+        sine_fixed(&self.remainder, self.scale)
+    }
+
+    /// Encloses sin(x + quarter_turns * pi/2) by the quadrant: sin r, cos r, -sin r or -cos r; `sine` is sin r with its error.
+    fn of_quadrant(&self, quarter_turns: u8, (sine, sine_error): &(BigInt, BigInt)) -> Enclosure {
         let quadrant = (self.quadrant + quarter_turns) % 4;
-        let (sine, sine_error) = sine_fixed(&self.remainder, self.scale);
         let (value, error) = if quadrant.is_multiple_of(2) {
-            (sine, sine_error)
+            (sine.clone(), sine_error.clone())
         } else {
             // Lemma (cofactor).
-            let square = (BigInt::one() << (2 * self.scale)) - &sine * &sine;
+            let square = (BigInt::one() << (2 * self.scale)) - sine * sine;
             // X1: Lemma (cofactor); a square root has no negative radicand
             (square.max(BigInt::zero()).sqrt(), 2 * sine_error + 3)
         };
@@ -375,6 +403,7 @@ mod tests {
         fn squares_of_sine_and_cosine_add_up_to_one(m: i64, e in -90i64..400, bits in 20u32..300) {
             let x = Dyadic::new(m.into(), e);
             let (s, c) = (sin(&x, bits), cos(&x, bits));
+            prop_assert_eq!(sin_cos(&x, bits), [s.clone(), c.clone()]);
             let sum = s.mul(&s, bits).add(&c.mul(&c, bits), bits);
             prop_assert!(sum.contains(&BigRational::one()));
             prop_assert!(sum.wid() <= Dyadic::power_of_two(8 - i64::from(bits)));

@@ -205,7 +205,8 @@ impl Real {
 
     /// Encloses the sine and the cosine.
     pub fn sin_cos(&self) -> (Self, Self) {
-        (self.sin(), self.cos())
+        let [sin, cos] = self.value.sin_cos(self.bits);
+        (self.with(sin), self.with(cos))
     }
 
     /// The members that are at most `most`; the point `most` if there is none.

@@ -95,6 +95,11 @@ impl Affine {
         Self { centre: Real::zero(self.centre.bits()), ..self }
     }
 
+    /// All values of the error.
+    pub fn spread(&self) -> Real {
+        Real::within(&self.error, COLUMN_BITS)
+    }
+
     /// The sum with a number.
     pub fn shifted(self, by: &Real) -> Self {
         Self { centre: self.centre.clone() + by, ..self }.recentred()
@@ -122,7 +127,7 @@ impl Affine {
 
     /// The interval of all values.
     pub fn hull(&self) -> Real {
-        self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &Real::within(&self.error, COLUMN_BITS)
+        self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &self.spread()
     }
 
     /// Whether the deviations of the data make up most of the width.

@@ -25,6 +25,11 @@ impl<'w> Budget<'w> {
         Self { left: Rc::new(Cell::new(work)), parts, watch }
     }
 
+    /// A budget of its own, under the same watch.
+    pub fn apart(&self, work: u64) -> Self {
+        Self::new(work, self.parts, self.watch)
+    }
+
     /// Adds to the work allowed.
     pub fn add(&self, work: u64) {
         self.left.set(self.left.get().saturating_add(work)); // proposes: when to give up

@@ -36,7 +36,7 @@ impl Course<'_> {
     pub fn departure(&self, k: usize, [phase, velocity]: [Affine; 2]) -> Launch {
         let parameters = &self.frame.parameters;
         match k.checked_sub(1).map_or(self.data.wall, |hit| Some(self.hits[hit].wall)) {
-            Some(wall) => Launch::rebound(parameters, &Landing { wall, phase, velocity }),
+            Some(wall) => Launch::rebound(parameters, &Landing::new(wall, phase, velocity)),
             None => {
                 let height = self.data.state(&Piece::default(), parameters.bits()).2;
                 let height = height.expect("a start without a wall is inside the gap");
@@ -128,7 +128,7 @@ mod tests {
     fn image(centre: Pair, columns: [Pair; 2]) -> Landing {
         let [phase, velocity] =
             [0, 1].map(|i| Affine::spanned(real(centre[i]), 0, [real(columns[0][i]), real(columns[1][i])]));
-        Landing { wall: Wall::Left, phase, velocity }
+        Landing::new(Wall::Left, phase, velocity)
     }
 
     fn node(centre: Pair, axes: [Pair; 2], sides: Pair) -> Node {

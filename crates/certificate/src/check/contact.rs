@@ -2,7 +2,9 @@
 
 use super::budget::Budget;
 use super::flight::{Flight, Part};
-use impact_pair_exact::{Dyadic, Real};
+use super::number::Number;
+use super::span::Span;
+use impact_pair_exact::Real;
 use impact_pair_model::Wall;
 
 /// A claim that is not confirmed, and the reason.
@@ -21,6 +23,10 @@ impl Doubt {
     }
 }
 
+/// Flight evaluations in doubles, beyond which a flight is followed in more bits.
+const DOUBLES_WORK: u64 = 1 << 12;
+/// Known bits of a contact for which doubles are enough: short flights, and wide sets, have fewer.
+const KNOWN_IN_DOUBLES: u32 = 36;
 /// Bits with which most parts of most flights are decided.
 const FIRST_BITS: u32 = 128;
 /// Halvings before Newton's iteration for a contact.
@@ -44,6 +50,9 @@ pub(crate) struct Claimed {
 /// Encloses the contact with `wall` near the guess: an interval of `h` that holds one contact of each flight, `y'` is not 0 on it,
 /// and the ball is strictly between the walls from the departure to the beginning of the interval.
 pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
+    if let Some(contact) = first_contact_in_doubles(flight, from, wall, claimed) {
+        return Ok(contact);
+    }
     let most = flight.bits();
     let mut bits = FIRST_BITS;
     loop {
@@ -54,6 +63,24 @@ pub(super) fn first_contact(flight: &Flight, from: Start, wall: Wall, claimed: &
             Ok(bracket) => return Ok(contract(&coarse, wall, bracket)),
         }
     }
+}
+
+/// [`first_contact`] in doubles, which decide most flights; `None` where they do not.
+fn first_contact_in_doubles(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Option<Real> {
+    let doubles = flight.in_doubles(DOUBLES_WORK)?;
+    let guess = Span::point(claimed.guess.to_f64());
+    let (before, after) = bracket_near(&doubles, wall, &guess)?;
+    if claimed.is_first {
+        clear(&doubles, from, &before, &Span::point(0.0)).ok()?;
+    }
+    let contact = contract(&doubles, wall, before.hull(after)).in_bits(f64::MANTISSA_DIGITS)?;
+    (known_bits(&contact) >= KNOWN_IN_DOUBLES).then_some(contact)
+}
+
+/// Leading bits that all members share, about.
+pub(super) fn known_bits(x: &Real) -> u32 {
+    let known = x.enclosure().mag().top().zip(x.wid().top()).map(|(large, small)| large - small);
+    known.map_or(u32::MAX / 4, |known| u32::try_from(known).unwrap_or(0)) // proposes
 }
 
 /// Initial conditions of a flight.
@@ -68,9 +95,7 @@ pub(crate) struct Start {
 fn isolate(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result<Real, Doubt> {
     let bits = flight.bits();
     let guessed = Real::point(claimed.guess.mid(), bits);
-    let h = newton(flight, wall, &guessed);
-    let is_near = |x: &Real| x.is_positive() && !(guessed.clone() + &guessed).is_below(x);
-    let Some((before, after)) = Some(&h).filter(|h| is_near(h)).and_then(|h| bracket(flight, wall, h)) else {
+    let Some((before, after)) = bracket_near(flight, wall, &guessed) else {
         // No contact is found near the guess: there may be an earlier contact, or none at all.
         if claimed.is_first {
             refute(flight, from, wall, claimed)?;
@@ -98,11 +123,17 @@ fn refute(flight: &Flight, from: Start, wall: Wall, claimed: &Claimed) -> Result
     }
 }
 
+/// Two points around the contact with `wall` that Newton's iteration finds near the guess, as those of [`bracket`].
+fn bracket_near<N: Number>(flight: &Flight<'_, N>, wall: Wall, guess: &N) -> Option<(N, N)> {
+    let h = newton(flight, wall, guess);
+    let is_near = h.is_positive() && !(guess.clone() + guess).is_below(&h);
+    if is_near { bracket(flight, wall, &h) } else { None }
+}
+
 /// Two points around `h`: the ball is between the walls at the first, beyond `wall` at the second, and `y'` is not 0 between them.
-fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
-    let bits = h.bits();
+fn bracket<N: Number>(flight: &Flight<'_, N>, wall: Wall, h: &N) -> Option<(N, N)> {
     let mut reach = h.half();
-    for _ in 0..bits {
+    for _ in 0..h.bits() {
         let (before, after) = (h.clone() - &reach, h.clone() + &reach);
         let slope = flight.slope(&before.hull(&after));
         let arrives = if wall == Wall::Right { slope.is_positive() } else { slope.is_negative() };
@@ -119,9 +150,8 @@ fn bracket(flight: &Flight, wall: Wall, h: &Real) -> Option<(Real, Real)> {
 /// Proves that the ball is strictly between the walls on `(0, end]`, up to the least member of `end`; `from` is the departure.
 ///
 /// A contact before `claimed` proves the claim false; a later contact may be the claimed one.
-pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) -> Result<(), Doubt> {
-    let bits = end.bits();
-    let (mut at, mut width) = (Real::zero(bits), end.clone());
+pub(super) fn clear<N: Number>(flight: &Flight<'_, N>, from: Start, end: &N, claimed: &N) -> Result<(), Doubt> {
+    let (mut at, mut width) = (end.nothing(), end.clone());
     if let Some(wall) = from.wall {
         while !flight.departs(wall, &width, from.is_release) {
             width = width.half();
@@ -138,7 +168,7 @@ pub(super) fn clear(flight: &Flight, from: Start, end: &Real, claimed: &Real) ->
         if flight.budget.is_spent() {
             break;
         }
-        let next = Real::point((at.clone() + &width).mid(), bits);
+        let next = (at.clone() + &width).middle();
         let next = if next.is_below(end) { next } else { end.clone() };
         match flight.judge(&at, &next) {
             Part::Clear => (at, width) = (next, width.clone() + &width),
@@ -188,7 +218,7 @@ pub(super) fn clear_throughout(flight: &Flight, from: Start, end: &Real, claimed
 }
 
 /// The reason why a flight is not followed to its end.
-fn give_up_reason(budget: &Budget, at: &Real, end: &Real) -> Doubt {
+fn give_up_reason<N: Number>(budget: &Budget, at: &N, end: &N) -> Doubt {
     let times = (end.to_f64() / at.to_f64()).ceil(); // shown
     let is_estimated = budget.is_spent() && times.is_finite();
     let needed = if is_estimated { format!(": about {times:.0} times as much would do") } else { String::new() };
@@ -196,28 +226,26 @@ fn give_up_reason(budget: &Budget, at: &Real, end: &Real) -> Doubt {
 }
 
 /// Whether a part is too short for the arithmetic.
-fn is_short(width: &Real, whole: &Real) -> bool {
-    let top = |x: &Real| x.enclosure().mag().top();
-    top(width).is_none_or(|short| top(whole).is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
+fn is_short<N: Number>(width: &N, whole: &N) -> bool {
+    width.top().is_none_or(|short| whole.top().is_none_or(|long| long - short > i64::from(whole.bits()) / 2))
 }
 
 /// The limit of Newton's iteration from `guess`, beginning with the bits of `guess` and adding bits as digits become correct.
 /// Non-rigorous.
-pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
+pub(super) fn newton<N: Number>(flight: &Flight<'_, N>, wall: Wall, guess: &N) -> N {
     let most = flight.bits();
     let mut bits = guess.bits().min(most); // proposes: a guess of Newton's
-    let mut h = Real::point(guess.mid(), bits);
-    let mut before = None;
+    let mut h = guess.rounded(bits).middle();
+    let mut before = None::<N>;
     for _ in 0..STEPS {
-        let coarse = flight.rounded(bits);
-        let point = |x: Real| Real::point(x.mid(), bits);
-        let (height, slope) = (point(coarse.height(&h)), point(coarse.slope(&h)));
-        let Some(step) = (height - &point(coarse.level(wall))).over(&slope) else { return h };
-        let step = point(step);
+        let coarse = flight.rounded(bits).known_at(&h);
+        let (height, slope) = (coarse.height(&h).middle(), coarse.slope(&h).middle());
+        let Some(step) = (height - &coarse.level(wall).middle()).over(&slope) else { return h };
+        let step = step.middle();
         // The step shows as many digits as the precision holds, or as rounding leaves.
-        let size = step.enclosure().mag();
-        let is_last = is_last(&step, &h) || before.is_some_and(|before| size.scaled(1) > before);
-        h = point(h - &step);
+        let size = step.size();
+        let is_last = is_last(&step, &h) || before.is_some_and(|before| before.is_below(&(size.clone() + &size)));
+        h = (h - &step).middle();
         before = Some(size);
         match (is_last, bits < most) {
             (true, false) => return h,
@@ -229,26 +257,31 @@ pub(super) fn newton(flight: &Flight, wall: Wall, guess: &Real) -> Real {
 }
 
 /// Whether a step of Newton's iteration, which doubles the digits, is the last step needed.
-fn is_last(step: &Real, h: &Real) -> bool {
-    let top = |x: &Real| x.enclosure().mag().top();
-    top(step).is_none_or(|small| top(h).is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))
+fn is_last<N: Number>(step: &N, h: &N) -> bool {
+    step.top().is_none_or(|small| h.top().is_none_or(|large| 2 * (large - small) > i64::from(h.bits())))
 }
 
 /// The bracket cut by interval Newton as long as each step halves it: the result still holds all contacts (Lemma V1).
-pub(super) fn contract(flight: &Flight, wall: Wall, bracket: Real) -> Real {
+pub(super) fn contract<N: Number>(flight: &Flight<'_, N>, wall: Wall, bracket: N) -> N {
     let level = flight.level(wall);
     zero(bracket, |h| flight.height(h) - &level, |part| flight.slope(part))
 }
 
+/// The bracket cut by one step of interval Newton from a point in the bracket (Lemma V1).
+pub(super) fn cut(flight: &Flight, wall: Wall, bracket: &Real, from: &Real) -> Real {
+    let off = flight.height(from) - &flight.level(wall);
+    off.over(&flight.slope(bracket)).map_or_else(|| bracket.clone(), |step| bracket.cut(&(from.clone() - &step)))
+}
+
 /// Encloses the only zero of each function of a set in a bracket, cut by interval Newton as long as each step halves it; `slope`
 /// encloses the derivatives over a part of the bracket.
-pub(super) fn zero(bracket: Real, value: impl Fn(&Real) -> Real, slope: impl Fn(&Real) -> Real) -> Real {
+pub(super) fn zero<N: Number>(bracket: N, value: impl Fn(&N) -> N, slope: impl Fn(&N) -> N) -> N {
     let mut bracket = bracket;
     loop {
-        let middle = Real::point(bracket.mid(), bracket.bits());
+        let middle = bracket.middle();
         let Some(step) = value(&middle).over(&slope(&bracket)) else { return bracket };
         let cut = bracket.cut(&(middle - &step));
-        let is_halved = width(&cut).scaled(1) < width(&bracket);
+        let is_halved = is_halved(&cut, &bracket);
         bracket = cut;
         if !is_halved {
             return bracket;
@@ -256,6 +289,8 @@ pub(super) fn zero(bracket: Real, value: impl Fn(&Real) -> Real, slope: impl Fn(
     }
 }
 
-fn width(x: &Real) -> Dyadic {
-    x.enclosure().wid()
+/// Whether a set is less than half as wide as another one.
+pub(super) fn is_halved<N: Number>(part: &N, whole: &N) -> bool {
+    let width = part.width();
+    (width.clone() + &width).is_below(&whole.width())
 }

@@ -120,8 +120,7 @@ impl<'t> Curve<'t> {
         if is_half {
             round.lasting = round.lasting.half();
         }
-        let start =
-            Landing { wall: self.target.walls[0], phase: self.spanned(cell, 0), velocity: self.spanned(cell, 1) };
+        let start = Landing::new(self.target.walls[0], self.spanned(cell, 0), self.spanned(cell, 1));
         let mut landings = round.run(start)?;
         let end = landings.last_mut().expect("the set");
         if is_half {

@@ -116,10 +116,9 @@ impl<'r> FixedPoint<'r> {
         let has_mirror = has_mirror?;
         let half = self.round.common.half();
         let minus = Real::int(-1, half.bits());
-        let mirrored = |Landing { wall, phase, velocity }: &Landing| Landing {
-            wall: wall.other(),
-            phase: phase.clone().shifted(&half),
-            velocity: Affine::of(-velocity.centre.clone(), &[(&minus, velocity)]),
+        let mirrored = |Landing { wall, phase, velocity, .. }: &Landing| {
+            let velocity = Affine::of(-velocity.centre.clone(), &[(&minus, velocity)]);
+            Landing::new(wall.other(), phase.clone().shifted(&half), velocity)
         };
         let seen = if has_mirror { self.impacts() } else { &[] };
         let seen: Vec<_> = seen.iter().map(mirrored).collect();

@@ -61,11 +61,8 @@ impl<'w> Frame<'w> {
             let off = Real::point((x - &middle).enclosure().mag(), middle.bits());
             [middle, off]
         });
-        Landing {
-            wall,
-            phase: Affine::spanned(phase, first, [off, zero.clone()]),
-            velocity: Affine::spanned(velocity, first, [zero, away]),
-        }
+        let phase = Affine::spanned(phase, first, [off, zero.clone()]);
+        Landing::new(wall, phase, Affine::spanned(velocity, first, [zero, away]))
     }
 }
 

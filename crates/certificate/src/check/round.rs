@@ -42,7 +42,7 @@ impl Round<'_> {
     /// The states `centre + columns q`, `q` the two deviations of states.
     pub fn set(&self, centre: &[Real; 2], columns: &Matrix) -> Landing {
         let [phase, velocity] = [0, 1].map(|i| Affine::spanned(centre[i].clone(), self.first(), columns[i].clone()));
-        Landing { wall: self.walls[0], phase, velocity }
+        Landing::new(self.walls[0], phase, velocity)
     }
 
     /// The set, its impacts and the next first impact, shifted back by the duration of the round; all contacts are proved.
@@ -59,8 +59,8 @@ impl Round<'_> {
                 Claimed { from: Real::zero(self.bits()), guess: time.clone(), to: None, is_first: self.is_physical };
             landings.push(departure.land(parameters, wall, &claimed)?);
         }
-        let Landing { wall, phase, velocity } = landings.pop().expect("the set");
-        landings.push(Landing { wall, phase: phase.shifted(&-self.lasting.clone()), velocity });
+        let Landing { wall, phase, velocity, .. } = landings.pop().expect("the set");
+        landings.push(Landing::new(wall, phase.shifted(&-self.lasting.clone()), velocity));
         Ok(landings)
     }
 

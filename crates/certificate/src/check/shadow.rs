@@ -175,7 +175,8 @@ impl Shadow<'_> {
                 return Err(if are_open { doubted } else { self.refuted().unwrap_or(doubted) }); // exact: what is in doubt
             }
             before = Some(event);
-            bits = self.certificate.more_bits(bits, event).min(self.limits.bits); // proposes
+            let more = self.under(bits, |course| self.certificate.more_bits(&course.frame, bits));
+            bits = more.min(self.limits.bits); // proposes
         }
     }
 
@@ -239,7 +240,7 @@ impl Shadow<'_> {
         let mut walk = match last {
             Some((impacts, node)) => {
                 let [phase, velocity] = self.under(bits, |course| course.states(*impacts, node));
-                let landing = Landing { wall: self.hits[impacts - 1].wall, phase, velocity };
+                let landing = Landing::new(self.hits[impacts - 1].wall, phase, velocity);
                 let frame = Frame::new(data, &Piece::default(), bits);
                 let standing = WalkState::after(&frame.parameters, landing);
                 Walk::at((self.certificate, data), frame, standing, *impacts)

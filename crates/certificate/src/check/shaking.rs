@@ -5,7 +5,13 @@
 //! `E = sum A_k sin(f_k + r_k s)`, and `y'' = -E'' = sum A_k r_k^2 sin(f_k + r_k s)` between impacts.
 
 use super::affine::Affine;
+use super::angle::Angle;
+use super::number::Number;
+use super::span::Span;
 use impact_pair_exact::Real;
+
+/// Bits of phases before whole periods are taken off.
+const PHASE_BITS: u32 = 128;
 
 /// A harmonic over the data of the scene.
 #[derive(Clone, Debug)]
@@ -20,56 +26,80 @@ pub(crate) struct Term {
 
 /// All harmonics over the flights of a set, counted from their departures; the reference comes first.
 #[derive(Clone, Debug)]
-pub(crate) struct Shaking {
-    pub waves: Vec<Wave>,
+pub(crate) struct Shaking<N = Real> {
+    pub waves: Vec<Wave<N>>,
 }
 
 /// One harmonic over the flights of a set.
 #[derive(Clone, Debug)]
-pub(crate) struct Wave {
-    pub amplitude: Real,
+pub(crate) struct Wave<N = Real> {
+    pub amplitude: N,
     /// `r_k`; `None` is 1.
-    rate: Option<Real>,
-    phase: Real,
-    /// Sine and cosine of the phase at the departure.
-    pub sin: Real,
-    pub cos: Real,
+    rate: Option<N>,
+    /// The phase at the departure.
+    pub first: Angle<N>,
+    /// A later phase whose sine and cosine are known.
+    later: Option<Angle<N>>,
 }
 
 impl Term {
-    /// The harmonic for the members chosen by `member`, counted from the phase `since` after the origin.
-    pub fn wave(&self, since: &Real, bits: u32, member: fn(&Affine) -> Real) -> Wave {
+    /// The harmonic for the members chosen by `member`, counted from the phase `since` after the origin; `angle` encloses its sine and
+    /// cosine there.
+    pub fn wave(
+        &self,
+        since: &Real,
+        bits: u32,
+        member: fn(&Affine) -> Real,
+        angle: impl FnOnce(Real) -> Angle,
+    ) -> Wave {
         let member = |x: &Affine| member(x).rounded(bits);
         let rate = self.rate.as_ref().map(member);
         let passed = rate.as_ref().map(|rate| rate.clone() * since);
         let phase = member(&self.phase) + passed.as_ref().unwrap_or(since); // exact: the rate is 1
-        let (sin, cos) = phase.sin_cos();
-        Wave { amplitude: member(&self.amplitude), rate, phase, sin, cos }
+        Wave { amplitude: member(&self.amplitude), rate, first: angle(phase), later: None }
     }
 }
 
-impl Wave {
+impl<N: Number> Wave<N> {
     fn rounded(&self, bits: u32) -> Self {
-        let Self { amplitude, rate, phase, sin, cos } = self;
-        let [amplitude, phase, sin, cos] = [amplitude, phase, sin, cos].map(|x| x.rounded(bits));
-        Self { amplitude, rate: rate.as_ref().map(|rate| rate.rounded(bits)), phase, sin, cos }
+        let Self { amplitude, rate, first, later } = self;
+        let later = later.as_ref().map(|later| later.rounded(bits));
+        let rate = rate.as_ref().map(|rate| rate.rounded(bits));
+        Self { amplitude: amplitude.rounded(bits), rate, first: first.rounded(bits), later }
     }
 
     /// Phase of the harmonic at `h` after the departure.
-    fn at(&self, h: &Real) -> Real {
+    fn at(&self, h: &N) -> N {
         match &self.rate {
-            None => self.phase.clone() + h,
-            Some(rate) => self.phase.clone() + &(rate.clone() * h),
+            None => self.first.at.clone() + h,
+            Some(rate) => self.first.at.clone() + &(rate.clone() * h),
         }
     }
 
+    fn sin(&self, h: &N) -> N {
+        let at = self.at(h);
+        let known = self.later.as_ref().and_then(|later| later.widened(&at));
+        known.map_or_else(|| at.sin(), |angle| angle.sin)
+    }
+
+    fn cos(&self, h: &N) -> N {
+        let at = self.at(h);
+        let known = self.later.as_ref().and_then(|later| later.widened(&at));
+        known.map_or_else(|| at.cos(), |angle| angle.cos)
+    }
+
     /// `(sin, cos)` of the phase of the harmonic at `h` after the departure.
-    pub fn sin_cos(&self, h: &Real) -> (Real, Real) {
-        self.at(h).sin_cos()
+    pub fn sin_cos(&self, h: &N) -> (N, N) {
+        let at = self.at(h);
+        let Angle { sin, cos, .. } = match &self.later {
+            Some(later) => later.around(at),
+            None => Angle::new(at),
+        };
+        (sin, cos)
     }
 
     /// `r_k^n x`
-    pub fn rated(&self, x: Real, n: u32) -> Real {
+    pub fn rated(&self, x: N, n: u32) -> N {
         match &self.rate {
             None => x,
             Some(rate) => (0..n).fold(x, |x, _| x * rate),
@@ -77,63 +107,101 @@ impl Wave {
     }
 
     /// `A_k r_k^n x`
-    fn weighted(&self, x: Real, n: u32) -> Real {
+    fn weighted(&self, x: N, n: u32) -> N {
         self.rated(x * &self.amplitude, n)
     }
 }
 
-impl Shaking {
+impl<N: Number> Shaking<N> {
     /// The forcing, rounded outward to fewer bits.
     pub fn rounded(&self, bits: u32) -> Self {
         Self { waves: self.waves.iter().map(|wave| wave.rounded(bits)).collect() }
     }
 
-    fn sum(&self, of: impl Fn(&Wave) -> Real) -> Real {
+    /// The same forcing, with sines known at `h`: those over parts that hold `h` follow from these.
+    pub fn known_at(mut self, h: &N) -> Self {
+        for wave in &mut self.waves {
+            wave.later = Some(Angle::new(wave.at(h)));
+        }
+        self
+    }
+
+    /// The same forcing, with the later sines of `one` of its members.
+    pub fn known_as(mut self, one: &Self) -> Self {
+        for (wave, one) in self.waves.iter_mut().zip(&one.waves) {
+            wave.later.clone_from(&one.later);
+        }
+        self
+    }
+
+    /// The later known phases of all harmonics, or none.
+    pub fn known_later(&self) -> Vec<Angle<N>> {
+        // exact: none is known
+        self.waves.iter().map(|wave| wave.later.clone()).collect::<Option<_>>().unwrap_or_default()
+    }
+
+    fn sum(&self, of: impl Fn(&Wave<N>) -> N) -> N {
         self.waves.iter().map(of).reduce(|sum, x| sum + &x).expect("an excitation has a term")
     }
 
     /// `E` at the departure. **Equation** (1)
-    pub fn first_place(&self) -> Real {
-        self.sum(|wave| wave.weighted(wave.sin.clone(), 0))
+    pub fn first_place(&self) -> N {
+        self.sum(|wave| wave.weighted(wave.first.sin.clone(), 0))
     }
 
     /// Upper bound of |E(t)| over all times \[length\].
-    pub fn reach(&self) -> Real {
+    pub fn reach(&self) -> N {
         self.sum(|wave| wave.amplitude.clone())
     }
 
     /// `E(h) - E(0)`: the change of `E` from the departure to `h`.
-    pub fn shift(&self, h: &Real) -> Real {
-        self.sum(|wave| wave.weighted(wave.at(h).sin() - &wave.sin, 0))
+    pub fn shift(&self, h: &N) -> N {
+        self.sum(|wave| wave.weighted(wave.sin(h) - &wave.first.sin, 0))
     }
 
     /// `E'(h) - E'(0)`. The differences are taken for each harmonic, which keeps flights of small phase change accurate.
-    pub fn velocity_change(&self, h: &Real) -> Real {
-        self.sum(|wave| wave.weighted(wave.at(h).cos() - &wave.cos, 1))
+    pub fn velocity_change(&self, h: &N) -> N {
+        self.sum(|wave| wave.weighted(wave.cos(h) - &wave.first.cos, 1))
     }
 
     /// `E'` at the departure.
-    pub fn first_velocity(&self) -> Real {
-        self.sum(|wave| wave.weighted(wave.cos.clone(), 1))
+    pub fn first_velocity(&self) -> N {
+        self.sum(|wave| wave.weighted(wave.first.cos.clone(), 1))
     }
 
     /// `-E''` at `h`. **Equation** (10)
-    pub fn acceleration(&self, h: &Real) -> Real {
-        self.sum(|wave| wave.weighted(wave.at(h).sin(), 2))
+    pub fn acceleration(&self, h: &N) -> N {
+        self.sum(|wave| wave.weighted(wave.sin(h), 2))
     }
 
     /// `-E''` at the departure.
-    pub fn first_acceleration(&self) -> Real {
-        self.sum(|wave| wave.weighted(wave.sin.clone(), 2))
+    pub fn first_acceleration(&self) -> N {
+        self.sum(|wave| wave.weighted(wave.first.sin.clone(), 2))
     }
 
     /// `-E'''` at `h`.
-    pub fn jerk(&self, h: &Real) -> Real {
-        self.sum(|wave| wave.weighted(wave.at(h).cos(), 3))
+    pub fn jerk(&self, h: &N) -> N {
+        self.sum(|wave| wave.weighted(wave.cos(h), 3))
     }
 
     /// Whether the box stands still.
     pub fn is_still(&self) -> bool {
         self.waves.iter().all(|wave| wave.amplitude.is_zero())
+    }
+}
+
+impl Shaking {
+    /// The forcing in doubles; `None` where whole periods cannot be taken off the phases.
+    pub fn in_doubles(&self) -> Option<Shaking<Span>> {
+        let of = |x: &Real| Span::of(x.enclosure());
+        let wave = |wave: &Wave| {
+            let Angle { at, sin, cos } = &wave.first;
+            let at = at.rounded(PHASE_BITS); // X1: any number of bits encloses
+            let turn = Real::pi(PHASE_BITS) * 2;
+            let turns = at.over(&turn)?.middle().floor()?; // V1: any whole number of periods
+            let first = Angle { at: of(&(at - &(turn * turns))), sin: of(sin), cos: of(cos) };
+            Some(Wave { amplitude: of(&wave.amplitude), rate: wave.rate.as_ref().map(of), first, later: None })
+        };
+        Some(Shaking { waves: self.waves.iter().map(wave).collect::<Option<_>>()? })
     }
 }

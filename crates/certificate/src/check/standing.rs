@@ -52,7 +52,7 @@ impl<'d> WalkState<'d> {
         let (phase, velocity, height) = data.state(piece, parameters.bits());
         let phase = phase.less_centre();
         let mut departure = match (data.wall, height) {
-            (Some(wall), _) => Launch::rebound(parameters, &Landing { wall, phase, velocity }),
+            (Some(wall), _) => Launch::rebound(parameters, &Landing::new(wall, phase, velocity)),
             (None, Some(height)) => Launch::inside(phase, height, velocity),
             (None, None) => unreachable!("a start without a wall is inside the gap"),
         };

@@ -1,9 +1,11 @@
 //! One impact for all states of a set: from the departure to the next landing (Lemma V2).
 
 use super::affine::{Affine, COLUMN_BITS};
+use super::angle::Angle;
 use super::budget::Budget;
-use super::contact::{Claimed, Doubt, Start, contract, first_contact, newton};
+use super::contact::{Claimed, Doubt, Start, contract, cut, first_contact};
 use super::flight::Flight;
+use super::root::{Root, root};
 use super::shaking::{Shaking, Term, Wave};
 use impact_pair_exact::Real;
 use impact_pair_model::Wall;
@@ -31,6 +33,8 @@ pub(crate) struct Launch {
     pub height: Affine,
     /// `y'` after the impact \[length/rad\]
     pub velocity: Affine,
+    /// Phases of the harmonics near that of the middle, if any are known.
+    angles: Vec<Angle>,
 }
 
 /// The states just before an impact.
@@ -40,6 +44,8 @@ pub(crate) struct Landing {
     pub phase: Affine,
     /// `y'` \[length/rad\]
     pub velocity: Affine,
+    /// Phases of the harmonics near that of the middle, if any are known.
+    pub angles: Vec<Angle>,
 }
 
 /// Bits kept below the errors of a set.
@@ -100,25 +106,36 @@ impl Parameters<'_> {
 
     /// The forcing for the members chosen by `member`, counted from the phase `since` after the origin.
     pub fn shaking(&self, since: &Real, member: fn(&Affine) -> Real) -> Shaking {
-        let bits = since.bits();
-        Shaking { waves: self.terms.iter().map(|term| term.wave(since, bits, member)).collect() }
+        self.shaking_by(since, member, |_, at| Angle::new(at))
+    }
+
+    /// The same as [`shaking`](Self::shaking), with phases whose sines and cosines `angle` encloses, by the number of the harmonic.
+    fn shaking_by(&self, since: &Real, member: fn(&Affine) -> Real, angle: impl Fn(usize, Real) -> Angle) -> Shaking {
+        let wave = |(k, term): (usize, &Term)| term.wave(since, since.bits(), member, |at| angle(k, at));
+        Shaking { waves: self.terms.iter().enumerate().map(wave).collect() }
+    }
+}
+
+impl Landing {
+    pub fn new(wall: Wall, phase: Affine, velocity: Affine) -> Self {
+        Self { wall, phase, velocity, angles: Vec::new() }
     }
 }
 
 impl Launch {
     /// Departure from `wall` by Newton's impact law (15), `p = -e v`.
     pub fn rebound(parameters: &Parameters, landing: &Landing) -> Self {
-        let Landing { wall, phase, velocity } = landing;
+        let Landing { wall, phase, velocity, angles } = landing;
         let restitution = &parameters.restitution;
         let centre = -(restitution.centre.clone() * &velocity.centre);
         let slopes = (-velocity.hull(), -restitution.hull());
         let after = Affine::of(centre, &[(&slopes.0, restitution), (&slopes.1, velocity)]);
-        Self::on_wall(parameters, *wall, phase.clone(), after)
+        Self { angles: angles.clone(), ..Self::on_wall(parameters, *wall, phase.clone(), after) }
     }
 
     /// Departure from inside the gap.
     pub fn inside(phase: Affine, height: Affine, velocity: Affine) -> Self {
-        Self { start: Start { wall: None, is_release: false }, phase, height, velocity }
+        Self { start: Start { wall: None, is_release: false }, phase, height, velocity, angles: Vec::new() }
     }
 
     /// Departure from `wall` with the velocity `velocity` after the impact.
@@ -126,15 +143,20 @@ impl Launch {
         let half_gap = &parameters.half_gap;
         let side = side(wall, half_gap.centre.bits());
         let height = Affine::of(half_gap.centre.clone() * &side, &[(&side, half_gap)]);
-        Self { start: Start { wall: Some(wall), is_release: false }, phase, height, velocity }
+        Self { start: Start { wall: Some(wall), is_release: false }, phase, height, velocity, angles: Vec::new() }
     }
 
-    /// The flights of the members chosen by `member`.
-    fn flight<'w>(&self, parameters: &Parameters<'w>, member: fn(&Affine) -> Real) -> Flight<'w> {
+    /// The flights of the members chosen by `member`; `angle` encloses sine and cosine of a phase of a harmonic.
+    fn flight<'w>(
+        &self,
+        parameters: &Parameters<'w>,
+        member: fn(&Affine) -> Real,
+        angle: impl Fn(usize, Real) -> Angle,
+    ) -> Flight<'w> {
         let bits = self.bits(parameters);
         let of = |x: &Affine| member(x).rounded(bits);
         Flight {
-            shaking: parameters.shaking(&of(&self.phase), member),
+            shaking: parameters.shaking_by(&of(&self.phase), member, angle),
             half_gap: of(&parameters.half_gap),
             height: of(&self.height),
             velocity: of(&self.velocity),
@@ -153,27 +175,28 @@ impl Launch {
 
     /// The flights of the whole set.
     pub fn flights<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
-        self.flight(parameters, Affine::hull)
+        self.flight(parameters, Affine::hull, |_, at| Angle::new(at))
+    }
+
+    /// The flights of the whole set, of which `one` is one.
+    fn flights_around<'w>(&self, parameters: &Parameters<'w>, one: &Flight<'_>) -> Flight<'w> {
+        self.flight(parameters, Affine::hull, |k, at| one.shaking.waves[k].first.around(at))
     }
 
     /// Encloses the landings, if all flights are proved to touch `wall` first, near the claimed place.
     pub fn land(&self, parameters: &Parameters, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {
-        let set = self.flights(parameters);
         let centre = self.middle_flight(parameters);
-        let contact = first_contact(&set, self.start, wall, claimed)?;
+        let set = self.flights_around(parameters, &centre);
         let bits = set.bits();
-        // The middle, where Newton's iteration ends; it need not be the root.
-        let h = newton(&centre, wall, &contact).at(bits);
-        let departed = self.phase.centre.rounded(bits);
-        let landed = Real::point((departed.clone() + &h).mid(), bits);
-        let h = landed.clone() - &departed;
-        // Columns that are more than widths are worth a narrower one.
-        let contact =
-            if self.phase.column_bits() > COLUMN_BITS { contract(&set, wall, contact.at(bits)) } else { contact };
-        let contact = contact.at(bits).hull(&h);
+        let contact = first_contact(&set, self.start, wall, claimed)?.at(bits);
+        // Columns that are more than widths are worth a sharper contact.
+        let is_sharp = self.phase.column_bits() > COLUMN_BITS;
+        let Root { flight: centre, near, contact: own } = root(&centre, wall, &contact, is_sharp);
+        let set = set.known_as(&centre);
+        let contact = if is_sharp { contract(&set, wall, contact) } else { cut(&set, wall, &contact, &near) };
+        let contact = contact.hull(&near);
         let v = set.slope(&contact);
         let over = |x: Real| x.over(&v).ok_or_else(|| Doubt::open("a graze is not excluded"));
-        let miss = over(centre.height(&h) - &centre.level(wall))?;
 
         // d(th1, v1) by implicit differentiation of (A.2/4/6) and of (A.1/3/5).
         let acceleration1 = set.curvature(&contact);
@@ -185,8 +208,11 @@ impl Launch {
             let terms: Vec<_> = slopes.iter().map(|(slope, x)| (slope, *x)).collect();
             Affine::of(centre, &terms).recentred()
         };
-        let velocity = centre.slope(&h) - &(acceleration1 * &miss);
-        Ok(Landing { wall, phase: by_value(&dt, landed - &miss), velocity: by_value(&dv, velocity) })
+        // The state of the middle, from the near point on.
+        let phase = self.phase.centre.rounded(bits) + &own;
+        let velocity = centre.slope(&near) + &(centre.curvature(&own.hull(&near)) * &(own - &near));
+        let (phase, velocity) = (by_value(&dt, phase), by_value(&dv, velocity));
+        Ok(Landing { wall, phase, velocity, angles: centre.shaking.known_later() })
     }
 
     /// The slopes of a landing on `wall` at `h`, one for each quantity that the landing depends on; `set` encloses all flights.
@@ -220,7 +246,8 @@ impl Launch {
 
     /// The flight of the middle of the set.
     pub fn middle_flight<'w>(&self, parameters: &Parameters<'w>) -> Flight<'w> {
-        self.flight(parameters, |x| x.centre.clone())
+        let near = |k: usize, at: &Real| self.angles.get(k).and_then(|angle: &Angle| angle.turned(at));
+        self.flight(parameters, |x| x.centre.clone(), |k, at| near(k, &at).unwrap_or_else(|| Angle::new(at)))
     }
 }
 
@@ -240,7 +267,7 @@ impl Term {
             return slopes;
         }
         let (sin1, cos1) = wave.sin_cos(h);
-        let (sin0, cos0) = (&wave.sin, &wave.cos);
+        let (sin0, cos0) = (&wave.first.sin, &wave.first.cos);
         let (turned, slowed) = (cos1.clone() - cos0, sin1.clone() - sin0);
         if !amplitude.is_fixed() {
             let along = slowed.clone() - &wave.rated(cos0.clone() * h, 1);

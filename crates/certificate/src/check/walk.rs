@@ -97,6 +97,9 @@ impl<'c> Walk<'c> {
 
     /// The datum whose halving narrows the sets most, if the data make up most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
+        if self.data.is_point() {
+            return None;
+        }
         let Launch { phase, velocity, .. } = self.standing.departure();
         [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
     }
@@ -137,6 +140,7 @@ impl<'c> Walk<'c> {
 
     /// Continues the walk from an impact.
     pub fn go_on(&mut self, landing: Landing) {
+        let landing = if self.data.is_point() { landing.aligned() } else { landing };
         self.standing = WalkState::after(&self.parameters, landing);
         self.impacts += 1;
     }

@@ -20,7 +20,6 @@ mod language;
 mod propose;
 mod region;
 mod said;
-pub(in crate::check) mod span;
 #[cfg(test)]
 mod tests;
 mod trap;
@@ -30,6 +29,7 @@ mod words;
 use impact_pair_exact::Exact;
 use impact_pair_model::{Error, ImpactPair};
 
+use super::span;
 use super::units::ratio;
 pub(in crate::check) use cells::{are_distinct, has_stable_orbit};
 use span::Span;

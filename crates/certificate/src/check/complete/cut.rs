@@ -1,6 +1,6 @@
 //! Cuts of a box by the relations that every orbit in it satisfies (Lemma V41).
 
-use super::super::chaos::span::Span;
+use super::super::span::Span;
 use super::cell::{Cell, Equations};
 use impact_pair_model::Wall;
 

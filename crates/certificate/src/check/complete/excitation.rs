@@ -1,6 +1,6 @@
 //! Displacement of the box and its derivatives over an interval of phases, in gap widths and forcing periods (Lemma V41).
 
-use super::super::chaos::span::Span;
+use super::super::span::Span;
 use super::super::data::{Data, HarmonicData};
 use impact_pair_exact::{Exact, Real};
 

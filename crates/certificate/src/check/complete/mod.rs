@@ -16,7 +16,7 @@ use impact_pair_model::Word;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
-use super::chaos::span::Span;
+use super::span::Span;
 use super::contact::Doubt;
 use super::data::Data;
 use crate::attraction::ClaimedOrbit;

@@ -1,6 +1,6 @@
 //! Newton's equation over a box of phases, and boxes that hold one orbit at most (Lemma V41).
 
-use super::super::chaos::span::Span;
+use super::super::span::Span;
 use super::cell::{Cell, Equations};
 use super::cut::both;
 

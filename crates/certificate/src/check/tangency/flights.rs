@@ -4,6 +4,7 @@ use super::jet::{self, Jet, product, scaled, sum};
 use super::saddle::Law;
 use super::series::State;
 use crate::check::affine::Affine;
+use crate::check::angle::Angle;
 use crate::check::budget::Budget;
 use crate::check::contact::{Claimed, Doubt, Start, contract, first_contact, first_hit};
 use crate::check::flight::Flight;
@@ -51,7 +52,7 @@ impl<'b> Launch<'b> {
             Term { amplitude: Affine::fixed(Real::int(1, bits)), phase: Affine::fixed(Real::zero(bits)), rate: None };
         let half_gap = gap.half();
         let flight = Flight {
-            shaking: Shaking { waves: vec![term.wave(phase, bits, Affine::hull)] },
+            shaking: Shaking { waves: vec![term.wave(phase, bits, Affine::hull, Angle::new)] },
             height: -&half_gap,
             half_gap,
             velocity: e.clone() * speed,

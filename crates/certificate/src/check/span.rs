@@ -5,11 +5,12 @@ use std::sync::OnceLock;
 
 use impact_pair_exact::{Enclosure, Real};
 
-use super::BITS;
+/// Bits of what is rounded to doubles.
+const BITS: u32 = 128;
 
 /// All numbers between two finite doubles; where an operation fails both are NaN, which no comparison passes.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::check) struct Span {
+pub(crate) struct Span {
     lo: f64,
     hi: f64,
 }
@@ -26,11 +27,11 @@ const LARGEST_PHASE: f64 = (1_u64 << 40) as f64; // exact: a power of two
 const TABLE_SIZE: usize = 256;
 
 /// The least by which an end is moved, `2^-500`: products of two such are normal numbers, which processors are fast with.
-pub(super) const MIN_STEP: f64 = f64::from_bits((1023 - 500) << 52); // exact: a power of two
+pub(crate) const MIN_STEP: f64 = f64::from_bits((1023 - 500) << 52); // exact: a power of two
 
 /// More than half of the way from a double to the next one. Lemma V11 (doubles)
 #[inline(always)]
-pub(super) fn step(end: f64) -> f64 {
+pub(crate) fn step(end: f64) -> f64 {
     const HALF_UNIT: f64 = f64::EPSILON / 2.0 * (1.0 + f64::EPSILON);
     end.abs() * HALF_UNIT + MIN_STEP
 }
@@ -187,11 +188,27 @@ impl Add for Span {
     }
 }
 
+impl Add<&Self> for Span {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        self + *other
+    }
+}
+
 impl Sub for Span {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
         Self::outward(self.lo - other.hi, self.hi - other.lo)
+    }
+}
+
+impl Sub<&Self> for Span {
+    type Output = Self;
+
+    fn sub(self, other: &Self) -> Self {
+        self - *other
     }
 }
 
@@ -208,6 +225,14 @@ impl Mul for Span {
 
     fn mul(self, other: Self) -> Self {
         Self::corners([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
+    }
+}
+
+impl Mul<&Self> for Span {
+    type Output = Self;
+
+    fn mul(self, other: &Self) -> Self {
+        self * *other
     }
 }
 
