@@ -7,14 +7,11 @@ use super::affine::Affine;
 use super::chain::{Course, Node, Pair};
 use super::contact::{Doubt, newton};
 use super::data::Piece;
-use super::flight::Flight;
 use super::frame::ClaimedImpact;
-use super::span::Span;
 use impact_pair_exact::{Dyadic, Real};
-use impact_pair_model::Wall;
 
-/// Flight evaluations in doubles for the flight time between two middles.
-const GUESS_WORK: u64 = 1 << 8;
+/// Bits for the flight time between two middles.
+const GUESS_BITS: u32 = 64;
 /// log2 of the accepted ratio of a jump to the claimed bounds; nodes make room for jumps of that size.
 const JUMP_EXPONENT: i32 = -40;
 /// Ratio of a node's width to the least width that covers the next node, and of the room for a jump to the jump.
@@ -66,8 +63,7 @@ impl Course<'_> {
         let (bits, wall) = (self.frame.turn.bits(), self.hits[k].wall);
         let departure = self.departure(k, point.node.centre.clone().map(Affine::fixed));
         let flight = departure.flights(&self.frame.parameters.middle());
-        let ahead = || Real::point((next.node.centre[0].clone() - &point.node.centre[0]).mid(), bits);
-        let ahead = || near(&flight, wall, ahead());
+        let ahead = || Real::point((next.node.centre[0].clone() - &point.node.centre[0]).mid(), GUESS_BITS);
         let guess = guess.cloned().unwrap_or_else(ahead);
         if !guess.is_positive() {
             return Err(Doubt::open("the time is too near"));
@@ -88,12 +84,6 @@ impl Course<'_> {
         let of_velocity = [accelerations[1] * by_phase - accelerations[0], accelerations[1] * by_velocity - e];
         Ok(Shot { lasting: Real::point(h.mid(), bits), jacobian: [[by_phase, by_velocity], of_velocity], jump })
     }
-}
-
-/// The limit of Newton's iteration in doubles from `guess`; `guess` itself where there is none.
-fn near(flight: &Flight, wall: Wall, guess: Real) -> Real {
-    let found = flight.in_doubles(GUESS_WORK).map(|doubles| newton(&doubles, wall, &Span::point(guess.to_f64())));
-    found.and_then(|found| found.in_bits(guess.bits())).unwrap_or(guess)
 }
 
 /// Stores the Jacobians and jumps of the flights. With a `share`, also removes the points after the first point at which the
