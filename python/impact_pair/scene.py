@@ -605,6 +605,7 @@ class Scene:
         bases: list[dict[str, Any]] | None = None,
         hyperbolic: bool = False,
         no_orbit: bool = False,
+        no_witness: bool = False,
         picture: bool = False,
         progress: Progress = None,
         keep_partial: bool = False,
@@ -613,10 +614,12 @@ class Scene:
 
         Words have ``depth`` impacts at most, or as many as about a million boxes times ``effort`` lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
-        document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it.
+        document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it. The document of one
+        amplitude has a witness, a strip for each word, with which ``check`` proves it; ``no_witness`` leaves it out.
         """
         options = {"depth": depth, "effort": effort, "over": None if over is None else ranged(over), "hyperbolic": hyperbolic}
         options |= {"bases": None if bases is None else json.dumps({"bases": bases}), "no_orbit": no_orbit}
+        options |= {"no_witness": no_witness}
         return self._answer(answers.Chaos, "chaos", ("boxes", None), (picture, progress, keep_partial), **options)
 
     def chaos_cells(

@@ -6,13 +6,13 @@ use std::iter;
 use num_traits::ToPrimitive;
 
 use impact_pair_document::{
-    BaseDocument, CHAOS_SCHEMA, ChaosDocument, Corner, CornersDocument, Decimal, EnteredDocument, EntropyDocument,
-    GivenBase, HyperbolicDocument, LeftOutDocument, NotNegative, PROGRAM, ParameterRange, PeriodDocument,
-    RatesDocument, SceneDocument, SceneOrbitDocument, TRAP_SCHEMA, TrapDocument, UpTo, WallWordsDocument, WordDocument,
-    bounds,
+    BaseDocument, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, Corner, CornersDocument, Decimal, EnteredDocument,
+    EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, NotNegative, PROGRAM, ParameterRange,
+    PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StripDocument, TRAP_SCHEMA, TrapDocument, UpTo,
+    WallWordsDocument, WordDocument, bounds,
 };
 
-use crate::chaos::{Asymptotics, Chaos, Chord, HSet, Hyperbolic, HyperbolicSet, Trap, WallWords};
+use crate::chaos::{Asymptotics, Chaos, Chord, HSet, Hyperbolic, HyperbolicSet, Strip, Trap, WallWords};
 use crate::exact::{Enclosure, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::Wall;
@@ -108,8 +108,15 @@ impl Chaos {
             exponent_seen: self.exponent(),
             hyperbolic: set.map(|set| set.as_ref().ok().map(hyperbolic)),
             left_out: left_out.collect(),
+            witness: self.strips().map(|strips| ChaosWitness { strips: strips.iter().map(strip).collect() }),
         }
     }
+}
+
+/// Returns the places of a strip.
+fn strip(strip: &Strip) -> StripDocument {
+    let places = |line: &[f64]| line.iter().map(|place| Decimal::printed(place.to_string())).collect();
+    StripDocument { left: places(&strip.left), right: places(&strip.right) }
 }
 
 /// Returns what a hyperbolic set is measured to be.

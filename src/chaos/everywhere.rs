@@ -126,7 +126,13 @@ fn returning_words(all: &[[f64; 2]], inside: &[usize], [long, width]: [f64; 2], 
                     && was_before != (xi < 0.0)
                     && n > from + MIN_CROSSING_POINTS
                 {
-                    words.push(Path { from: 0, to: 0, sides: vec![Side::Far; time], half_turns: 1 });
+                    words.push(Path {
+                        from: 0,
+                        to: 0,
+                        sides: vec![Side::Far; time],
+                        half_turns: 1,
+                        ends: [Vec::new(), Vec::new()],
+                    });
                     taken[from..n].fill(true);
                 }
                 last = Some((xi < 0.0, n));

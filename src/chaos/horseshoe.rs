@@ -7,6 +7,7 @@ use super::law::Law;
 use super::quad::State;
 use super::scene::{ORBIT_IMPACTS, visited};
 use super::seen::{AttractorOrbit, seen};
+use super::strips::Strip;
 use super::trials::{ANY, Rounds, THOROUGH};
 use super::tried::{BOXES, FINE, MAKINGS, MOST_DEPTH, TRIAL, Tried, deepest, entropies};
 use super::words::HSet;
@@ -65,6 +66,7 @@ impl HorseshoeSettings {
 pub struct Chaos {
     bases: Vec<HSet>,
     words: Vec<Word>,
+    strips: Option<Vec<Strip>>,
     depth: usize,
     boxes: u64,
     is_interrupted: bool,
@@ -104,7 +106,7 @@ impl Chaos {
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let proved = Self::proved(&law, bases, request.limits(), watch);
+        let proved = Self::searched(&law, bases, request.limits(), pair.is_point(), watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
@@ -115,12 +117,18 @@ impl Chaos {
 
     /// Proves the words between these h-sets, and bounds of the entropy.
     pub(super) fn proved(law: &Law, bases: Vec<HSet>, limits: (usize, u64), watch: &dyn Watch) -> Self {
-        let Tried { search, depth, is_stopped: is_interrupted } = deepest(law, &bases, limits, watch);
+        Self::searched(law, bases, limits, false, watch)
+    }
+
+    /// The same; if `witnessed` only words that are proved again, each by a strip.
+    fn searched(law: &Law, bases: Vec<HSet>, limits: (usize, u64), witnessed: bool, watch: &dyn Watch) -> Self {
+        let Tried { mut search, depth, is_stopped: is_interrupted } = deepest(law, &bases, limits, watch);
+        let strips = witnessed.then(|| search.keep_witnessed(watch));
         let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
         let (exponent, attractor, asymptotics) = (None, Vec::new(), Asymptotics::default());
-        Self { bases, words, depth, boxes, is_interrupted, entropy, exponent, attractor, tubes, asymptotics }
+        Self { bases, words, strips, depth, boxes, is_interrupted, entropy, exponent, attractor, tubes, asymptotics }
     }
 
     /// Proves the words of a scene's pair, with the scene's start.
@@ -139,6 +147,11 @@ impl Chaos {
     /// All proved words.
     pub fn words(&self) -> &[Word] {
         &self.words
+    }
+
+    /// A strip for each word, in their order, by which it can be proved again; `None` where the pair has intervals, as no strip moves with them.
+    pub fn strips(&self) -> Option<&[Strip]> {
+        self.strips.as_deref()
     }
 
     /// Number of impacts up to which all words were searched for.

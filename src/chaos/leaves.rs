@@ -168,7 +168,13 @@ impl<'s> Window<'s> {
                 let images: Vec<[f64; 2]> = places.iter().map(|&at| cluster.in_coordinates(at)).collect();
                 for [first, last] in crossings(&images, &taken) {
                     taken[first..last].fill(true);
-                    words.push(Path { from, to, sides: vec![Side::Far; time], half_turns: 1 });
+                    words.push(Path {
+                        from,
+                        to,
+                        sides: vec![Side::Far; time],
+                        half_turns: 1,
+                        ends: [Vec::new(), Vec::new()],
+                    });
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Chaos, proved: trapping regions with all cycles in them, and horseshoes with a lower bound of their topological entropy.
 //!
 //! Floating point approximates in `bases`, `bundles`, `everywhere`, `guess`, `index`, `leaves`, `propose` and `trials`; intervals verify
-//! in `flights`, `tube`, `words`, `hyperbolic`, `trap`, `box_map`, `boxes`, `language`, `cycles` and `attracted`.
+//! in `flights`, `tube`, `words`, `strips`, `hyperbolic`, `trap`, `box_map`, `boxes`, `language`, `cycles` and `attracted`.
 //! The impact map is *reduced* here: every impact is mirrored to the left wall (Lemma R2), a state is a phase in forcing periods and
 //! the speed before the impact over `A W`, and only `D = d/A` and `e` are left. Lemmas D1-D15, D20-D23 and D33
 //! of `docs/proofs/chaos.md#D1`, D24-D28 and D30-D32 of `docs/proofs/hyperbolic.md#D24`.
@@ -19,6 +19,7 @@ mod document;
 mod entropy;
 mod everywhere;
 mod flights;
+mod frame;
 mod global;
 mod guess;
 mod horseshoe;
@@ -35,6 +36,7 @@ mod region;
 mod scene;
 mod seen;
 mod stable;
+mod strips;
 #[cfg(test)]
 mod tests;
 mod trap;
@@ -65,6 +67,7 @@ pub use quad::{Chord, State};
 pub use refusal::NoTrap;
 pub use region::Trap;
 pub use stable::stable_orbits;
+pub use strips::Strip;
 pub use tried::MOST_DEPTH;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,

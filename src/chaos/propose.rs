@@ -118,14 +118,10 @@ impl Making {
     }
 
     fn proposal(&self, guess: &Guess, segment: &[(Sample, Sample)]) -> Option<Proposal> {
-        let images: Vec<Image> = segment
-            .iter()
-            .map(|(from, _)| from)
-            .chain(segment.last().map(|(_, to)| to))
-            .map(|x| x.image.expect("an image"))
-            .collect();
-        let halves: Vec<State> =
-            segment.iter().map(|(from, _)| from.half).chain(segment.last().map(|(_, to)| to.half)).collect();
+        let samples = || segment.iter().map(|(from, _)| from).chain(segment.last().map(|(_, to)| to));
+        let images: Vec<Image> = samples().map(|sample| sample.image.expect("an image")).collect();
+        let halves: Vec<State> = samples().map(|sample| sample.half).collect();
+        let origins: Vec<f64> = samples().map(|sample| sample.cell as f64 + 0.5 * (1.0 + sample.at)).collect();
         let mut lengths = vec![0.0];
         for pair in images.windows(2) {
             lengths.push(lengths[lengths.len() - 1] + length(minus(pair[1].state, pair[0].state)));
@@ -159,7 +155,11 @@ impl Making {
             }
             parts.push(Part { cell: from.cell, from: from.at, to: to.at, place });
         }
-        Some(Proposal { parts, side: images[0].side, next: BoxChain::new(chords) })
+        Some(Proposal {
+            parts,
+            side: images[0].side,
+            next: BoxChain::new(chords, kept.iter().map(|&k| origins[k]).collect()),
+        })
     }
 
     fn is_straight(&self, images: &[Image], halves: &[State], from: usize, to: usize) -> bool {

@@ -211,31 +211,37 @@ fn corrupted_chains_of_boxes_are_refused() {
     let law = figure_14();
     let guess = Guess::new(&law);
     let base = bases()[0];
-    let tube = BoxChain::new(vec![base.left, base.right]);
+    let tube = BoxChain::between(base.left, base.right);
     let other = Law { gap: law.gap * Ball::exact(1.01), ..law };
     let proposals = MAKING.images(&guess, &tube);
     let Proposal { parts, side, next } = proposals.iter().find(|proposal| proposal.side == Side::Far).unwrap();
     let proved = |law: &Law, next: &BoxChain| {
         parts.iter().filter(|part| tube.is_mapped(law, &Guess::new(law), part, *side, next)).count()
     };
+    let chain = |chords: Vec<Chord>| BoxChain::new(chords.clone(), vec![0.0; chords.len()]);
     let all = proved(&law, next);
     assert!(all > parts.len() * 9 / 10, "{all} of {}", parts.len());
     assert_eq!(proved(&other, next), 0);
     // Without a stretch in the middle parts behind it are not where they are said to be.
     let (half, chords) = (next.chords().len() / 2, next.chords());
     let gap: Vec<Chord> = chords[..half].iter().chain(&chords[half + 8..]).copied().collect();
-    assert!(proved(&law, &BoxChain::new(gap)) < all * 6 / 10);
+    assert!(proved(&law, &chain(gap)) < all * 6 / 10);
     // As thick as a leaf away.
     let moved = |[u, w]: State| [u, w + 0.004];
     let away = chords.iter().map(|chord| Chord { bottom: moved(chord.bottom), top: moved(chord.top) }).collect();
-    assert!(proved(&law, &BoxChain::new(away)) < all / 10);
+    assert!(proved(&law, &chain(away)) < all / 10);
 }
 
 /// Renewal equations with known roots.
 #[test]
 fn entropies_that_are_known() {
-    let word =
-        |from: usize, to: usize, impacts: usize| Path { from, to, sides: vec![Side::Far; impacts], half_turns: 1 };
+    let word = |from: usize, to: usize, impacts: usize| Path {
+        from,
+        to,
+        sides: vec![Side::Far; impacts],
+        half_turns: 1,
+        ends: [Vec::new(), Vec::new()],
+    };
     let golden = (0.5 * (1.0 + 5f64.sqrt())).ln();
     let cases: [(Vec<Path>, usize, f64); 5] = [
         (vec![word(0, 0, 1), word(0, 0, 1)], 1, std::f64::consts::LN_2),
@@ -372,7 +378,7 @@ fn r32_distinct_words_rest_on_parts_that_lie_apart() {
     // Backward within a cell, or beyond it: not mapped, though the same states forward are.
     let (law, guess) = (figure_14(), Guess::new(&figure_14()));
     let HSet { left, right } = bases()[0];
-    let tube = BoxChain::new(vec![left, right]);
+    let tube = BoxChain::between(left, right);
     let Proposal { parts, side, next } = MAKING.images(&guess, &tube).swap_remove(0);
     let good = parts[parts.len() / 2];
     let is_mapped = |part: Part| tube.is_mapped(&law, &guess, &part, side, &next);

@@ -12,6 +12,8 @@ use crate::number::Ball;
 #[derive(Clone, Debug)]
 pub(crate) struct BoxChain {
     chords: Vec<Chord>,
+    /// About where the chords are images of the chain before: the number of a cell there, and a fraction of it.
+    origins: Vec<f64>,
     normals: Vec<Normals>,
     /// Flags of the cells: all windows that hold the cell are embedded.
     embedded: Vec<bool>,
@@ -97,7 +99,13 @@ pub(crate) fn side_of(from: State, to: State, state: State, turns: f64) -> Ball 
 }
 
 impl BoxChain {
-    pub fn new(chords: Vec<Chord>) -> Self {
+    /// The quadrilateral between two chords as a chain of one cell.
+    pub fn between(left: Chord, right: Chord) -> Self {
+        Self::new(vec![left, right], vec![0.0; 2])
+    }
+
+    /// The cells between successive chords, each with its origin in the chain before.
+    pub fn new(chords: Vec<Chord>, origins: Vec<f64>) -> Self {
         let normals: Vec<Normals> = chords
             .windows(2)
             .map(|pair| Normals {
@@ -118,11 +126,21 @@ impl BoxChain {
                 chords[first..=last].iter().all(|chord| crosses(bottom, chord) && crosses(top, chord))
             })
             .collect();
-        Self { chords, normals, embedded }
+        Self { chords, origins, normals, embedded }
     }
 
     pub fn chords(&self) -> &[Chord] {
         &self.chords
+    }
+
+    /// The middle of the chain at a place, the number of a cell and a fraction of it, and about where it comes from in the chain before.
+    pub fn middle(&self, place: f64) -> (State, f64) {
+        let cell = (place as usize).min(self.cells() - 1); // proposes: where to look
+        let part = place - cell as f64;
+        let mix = |a: f64, b: f64| a + part * (b - a);
+        let state = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
+        let [from, to] = [cell, cell + 1].map(|chord| state(&self.chords[chord]));
+        ([0, 1].map(|i| mix(from[i], to[i])), mix(self.origins[cell], self.origins[cell + 1]))
     }
 
     pub fn cells(&self) -> usize {
@@ -131,7 +149,7 @@ impl BoxChain {
 
     /// The chords from one to another as a cell chain of their own.
     pub fn stretch(&self, from: usize, to: usize) -> Self {
-        Self::new(self.chords[from..=to].to_vec())
+        Self::new(self.chords[from..=to].to_vec(), self.origins[from..=to].to_vec())
     }
 
     /// Whether an image is proved to lie in the cells around `place`, away from tops and bottoms. Lemma D6

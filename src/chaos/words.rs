@@ -1,12 +1,13 @@
 //! Words: returns of an h-set to the h-sets, proved along cell chains. Lemmas D8, D9 of `docs/proofs/chaos.md#D8`.
 
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use super::flights::is_positive;
 use super::guess::Guess;
 use super::law::{Law, Side};
 use super::propose::{Making, Proposal};
 use super::quad::{Chord, State};
+use super::strips::{Strip, strips};
 use super::tube::{BoxChain, NEIGHBOUR_CELLS, proved_stretches, side_of};
 use crate::threads::{answers, available};
 use crate::watch::{Stage, Watch};
@@ -29,6 +30,8 @@ pub(crate) struct Path {
     pub sides: Vec<Side>,
     /// Half forcing periods from start to end.
     pub half_turns: i64,
+    /// About the states of two motions of the word, from the h-set on, at whose ends its stretch is beyond the two edges.
+    pub ends: [Vec<State>; 2],
 }
 
 /// Stretch of a cell chain that has been followed so far.
@@ -36,6 +39,8 @@ struct Run {
     from: usize,
     sides: Vec<Side>,
     tube: BoxChain,
+    /// The stretch whose image it is along.
+    before: Option<Arc<Run>>,
 }
 
 /// Number of boxes that are tried so far.
@@ -50,7 +55,7 @@ pub(crate) struct Search<'s> {
     pub guess: Guess,
     pub making: Making,
     pub bases: &'s [HSet],
-    runs: Vec<Run>,
+    runs: Vec<Arc<Run>>,
     pub words: Vec<Path>,
     pub tally: Tally,
     /// Number of threads that follow runs. With one, where a limit of boxes ends the search depends on nothing else.
@@ -114,12 +119,27 @@ impl HSet {
     }
 }
 
+impl Run {
+    /// About the states of a motion along the middles of the cell chains, from the h-set on, that comes to a chord.
+    fn motion(&self, chord: usize) -> Vec<State> {
+        let (mut states, mut place) = (Vec::new(), chord as f64);
+        let mut run = Some(self);
+        while let Some(Self { tube, before, .. }) = run {
+            let (state, origin) = tube.middle(place);
+            states.push(state);
+            place = origin;
+            run = before.as_deref();
+        }
+        states.reverse();
+        states
+    }
+}
+
 impl<'s> Search<'s> {
     pub fn new(law: &'s Law, bases: &'s [HSet], making: Making) -> Self {
-        let run = |(from, base): (usize, &HSet)| Run {
-            from,
-            sides: Vec::new(),
-            tube: BoxChain::new(vec![base.left, base.right]),
+        let run = |(from, base): (usize, &HSet)| {
+            let tube = BoxChain::between(base.left, base.right);
+            Arc::new(Run { from, sides: Vec::new(), tube, before: None })
         };
         let runs = bases.iter().enumerate().map(run).collect();
         let (words, tally, shown) = (Vec::new(), Tally::default(), Vec::new());
@@ -154,8 +174,17 @@ impl<'s> Search<'s> {
         watch.proceed(Stage::Horseshoe { depth, boxes: self.tally.boxes }).is_continue()
     }
 
+    /// Keeps the words that are proved by strips as well, and returns these, in the same order. Lemma D34
+    pub fn keep_witnessed(&mut self, watch: &dyn Watch) -> Vec<Strip> {
+        let found = strips(self.law, self.bases, &self.words, watch);
+        let kept = std::mem::take(&mut self.words).into_iter().zip(found);
+        let (words, strips) = kept.filter_map(|(path, strip)| Some((path, strip?))).unzip();
+        self.words = words;
+        strips
+    }
+
     /// Follows one run over one impact: the words that cover an h-set, and the remaining runs.
-    fn follow(&self, run: &Run, watch: &dyn Watch) -> (Vec<Run>, Vec<Path>, Tally) {
+    fn follow(&self, run: &Arc<Run>, watch: &dyn Watch) -> (Vec<Arc<Run>>, Vec<Path>, Tally) {
         let (mut runs, mut words, mut tally) = (Vec::new(), Vec::new(), Tally::default());
         let mut used = None;
         for proposal in self.making.images(&self.guess, &run.tube) {
@@ -173,14 +202,17 @@ impl<'s> Search<'s> {
                 // Lemma D7: the ends of the stretch land before `low` and behind `high`.
                 let (low, high) = (low + NEIGHBOUR_CELLS + 2, high.saturating_sub(NEIGHBOUR_CELLS + 1)); // D7: none if it is shorter
                 if low < high {
-                    self.collect(run.from, &sides, next.stretch(low, high), &mut runs, &mut words);
+                    let (sides, tube) = (sides.clone(), next.stretch(low, high));
+                    let next = Run { from: run.from, sides, tube, before: Some(Arc::clone(run)) };
+                    self.collect(&next, &mut runs, &mut words);
                 }
             }
         }
         (runs, words, tally)
     }
 
-    fn collect(&self, from: usize, sides: &[Side], tube: BoxChain, runs: &mut Vec<Run>, words: &mut Vec<Path>) {
+    fn collect(&self, run: &Run, runs: &mut Vec<Arc<Run>>, words: &mut Vec<Path>) {
+        let Run { from, sides, tube, before } = run;
         let phases = tube.chords().iter().map(|chord| chord.bottom[0]);
         let [low, high] = phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]); // proposes: where to look
         let mut taken: Vec<(usize, usize)> = Vec::new();
@@ -188,12 +220,13 @@ impl<'s> Search<'s> {
             let [least, most] = base.phases();
             let mut turns = (low - most).ceil(); // proposes: where to look
             while turns <= high - least {
-                for (a, b) in base.crossings(&tube, turns) {
+                for (a, b) in base.crossings(tube, turns) {
                     if taken.iter().all(|&(c, d)| b <= c || d <= a) {
                         taken.push((a, b));
                         let far = sides.iter().filter(|&&side| side == Side::Far).count() as i64; // exact: a length
                         let half_turns = 2 * turns as i64 - far; // exact: a whole number
-                        words.push(Path { from, to, sides: sides.to_vec(), half_turns });
+                        let ends = [a, b].map(|chord| run.motion(chord));
+                        words.push(Path { from: *from, to, sides: sides.clone(), half_turns, ends });
                     }
                 }
                 turns += 1.0;
@@ -203,7 +236,8 @@ impl<'s> Search<'s> {
         let mut start = 0;
         for (a, b) in taken.into_iter().chain([(tube.cells(), tube.cells())]) {
             if a > start + 4 * NEIGHBOUR_CELLS {
-                runs.push(Run { from, sides: sides.to_vec(), tube: tube.stretch(start, a) });
+                let (sides, before) = (sides.clone(), before.clone());
+                runs.push(Arc::new(Run { from: *from, sides, tube: tube.stretch(start, a), before }));
             }
             start = b;
         }

@@ -121,6 +121,33 @@ pub struct ChaosDocument {
     /// The words that are not among those of that set, and why, if it was requested.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub left_out: Vec<LeftOutDocument>,
+    /// What `check` proves the words with; it claims nothing.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub witness: Option<ChaosWitness>,
+}
+
+/// A strip for each word, in their order: every curve from left to right in the h-set that the word starts in crosses it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ChaosWitness {
+    /// The strips.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub strips: Vec<StripDocument>,
+}
+
+/// A strip between two curves across an h-set, in the coordinates of the parallelogram that the means of its corners make: `xi` from -1 to 1 from left
+/// to right, `eta` from bottom to top.
+///
+/// Each is a polynomial `xi = c0 + c1 eta + c2 eta^2 + ...`, over `eta` from `-(1 + 2^-30)` to `1 + 2^-30`. Coefficients are read as the nearest doubles.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct StripDocument {
+    /// The coefficients of the left side, from the constant on.
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 32)))]
+    pub left: Vec<Decimal>,
+    /// Those of the right side.
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 32)))]
+    pub right: Vec<Decimal>,
 }
 
 /// A word that is left out of a hyperbolic set.

@@ -1,10 +1,10 @@
 //! A word's strip is mapped across the next h-set, and expands the cones: Lemmas D25, D26 of `docs/proofs/hyperbolic.md#D25`.
 
-use super::frame::{Frame, least};
 use super::left_out::{LeftOut, MOST_CELLS};
 use super::sides::Sides;
 use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
 use crate::chaos::flights::is_positive;
+use crate::chaos::frame::{Frame, least};
 use crate::number::{Ball, Number, up};
 use crate::watch::Watch;
 

@@ -5,7 +5,6 @@
 //! of words expand ([`strings`]) and what follows ([`root`]).
 
 mod cones;
-mod frame;
 mod left_out;
 mod propose;
 mod root;
@@ -19,6 +18,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::blocks::Word;
+use super::frame::Frame;
 use super::guess::Guess;
 use super::horseshoe::Chaos;
 use super::law::Law;
@@ -29,7 +29,6 @@ use crate::pair::ImpactPair;
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 use cones::Proved;
-use frame::Frame;
 pub use left_out::{LeftOut, why_left_out};
 use root::{Edge, ratios, root};
 use strings::{EMPTY_BOUNDS, Strings, ends, hull, spanned};

@@ -2,9 +2,9 @@
 //!
 //! Labels: proposes throughout.
 
-use super::frame::Frame;
 use super::strip::{Branch, Strip};
 use crate::chaos::blocks::Word;
+use crate::chaos::frame::Frame;
 use crate::chaos::guess::Guess;
 use crate::chaos::law::Side;
 use crate::chaos::quad::State;

@@ -1,7 +1,7 @@
 //! Images of the half sides of a cell under the derivative: Lemma D24 (sides) of `docs/proofs/hyperbolic.md#D24`.
 
-use super::frame::cross;
 use crate::chaos::flights::Landing;
+use crate::chaos::frame::cross;
 use crate::number::{Ball, Number, up};
 
 /// Two vectors at each state of a cell, the second one being `part first + rest`.

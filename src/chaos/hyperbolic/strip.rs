@@ -1,8 +1,8 @@
 //! Strips across an h-set, and what the composed map does to their parts: Lemmas D24-D26 of `docs/proofs/hyperbolic.md#D24`.
 
-use super::frame::{Frame, least};
 use super::sides::Sides;
 use crate::chaos::flights::{Flights, is_positive};
+use crate::chaos::frame::{Frame, least};
 use crate::chaos::guess::Guess;
 use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Quad;

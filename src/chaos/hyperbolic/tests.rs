@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::f64::consts::{LN_2, TAU};
 
 use super::cones::{Proved, is_flat};
-use super::frame::Frame;
 use super::root::{Edge, ratios, root};
 use super::strings::{EMPTY_BOUNDS, ends, hull};
 use super::strip::{Branch, Cell, Map, Strip};
 use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
 use crate::chaos::cycles::{Cycle, Cycles};
+use crate::chaos::frame::Frame;
 use crate::chaos::guess::Guess;
 use crate::chaos::horseshoe::Chaos;
 use crate::chaos::law::{Law, Side};

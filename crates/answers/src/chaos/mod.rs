@@ -19,7 +19,8 @@ use serde::Deserialize;
 
 use crate::values::whole;
 use crate::{
-    Answer, Asked, Counts, Failure, Format, Input, Picture, Sentence, Status, Step, TABLE_OR_JSON, Verb, heading, line,
+    Answer, Asked, Counts, Failure, Format, Input, Picture, Sentence, Status, Step, TABLE_OR_JSON, Verb,
+    WitnessOptions, heading, line,
 };
 
 /// Options of `chaos`.
@@ -47,6 +48,9 @@ pub struct ChaosOptions {
     /// once more where X doubles, up to 24 times
     #[arg(long, value_name = "X", default_value_t)]
     pub effort: Effort,
+    /// Whether the strips of the words are part of the document.
+    #[command(flatten)]
+    pub witness: WitnessOptions,
 }
 
 /// Number of impacts of a word in cells, if none is given.
@@ -189,6 +193,7 @@ impl ChaosOptions {
         let left_out = set.as_ref().map(|set| set.as_ref().map_or_else(Clone::clone, |set| set.left_out.clone()));
         let mut document = Box::new(found.document(scene, over, set.as_ref()));
         document.scene_orbit = document.scene_orbit.filter(|_| !self.no_orbit);
+        document.witness = document.witness.filter(|_| !self.witness.no_witness);
         let (set, left_out) = (set.and_then(Result::ok), left_out.unwrap_or_default());
         Ok(Chaotic::Horseshoe { scene, over: range, found, set, left_out, document })
     }

@@ -9,7 +9,7 @@
 //! V6). Of a shadowed orbit each link between two impacts is proved alone, from nodes computed from the claimed boxes ([`shadow`],
 //! [`chain`], Lemma V10). Orbits of one list are distinguished by their bounds ([`distinct`], Lemma V13). Homoclinic tangencies are
 //! enclosed by shooting from series of the manifolds ([`tangency`], Lemmas V17-V19). Regions and words of horseshoes are proved in
-//! doubles ([`chaos`], Lemmas V11, V12). A claim is confirmed when the computed enclosure lies inside its bounds, refuted when the
+//! doubles ([`chaos`], Lemmas V11, V12, V39). A claim is confirmed when the computed enclosure lies inside its bounds, refuted when the
 //! enclosure lies outside.
 
 mod affine;

@@ -8,7 +8,7 @@ use impact_pair_model::scene::Key;
 use impact_pair_model::vocabulary::StretchVerdict;
 
 use super::scene::{PROGRAM, READ, Unused, range, scene};
-use super::{Mark, checked, claimed, each, fields, items, optional, setting};
+use super::{Mark, checked, claimed, each, fields, items, optional, setting, witness};
 
 pub(super) const REQUEST: &str = "the request";
 const CUT: &str = "the search was cut short";
@@ -51,6 +51,7 @@ pub(crate) fn chaos(document: &ChaosDocument, over: Option<Key>) -> Mark {
     let unused = Unused { varied, frequency: true, phase: true, start: true, is_grid: false };
     let own = || checked("V12");
     let word = |word: &WordDocument| {
+        let own = || checked("V39; over a range without strips V12");
         fields!(word, WordDocument { from: own(), to: own(), impacts: own(), half_cycles: own(), flights: own() })
     };
     fields!(
@@ -72,6 +73,7 @@ pub(crate) fn chaos(document: &ChaosDocument, over: Option<Key>) -> Mark {
             exponent_seen: setting("computed in floating point"),
             hyperbolic: optional(document.hyperbolic.iter().flatten().next(), hyperbolic),
             left_out: setting("why words are left out"),
+            witness: witness("V39"),
         }
     )
 }

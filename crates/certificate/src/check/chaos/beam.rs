@@ -52,13 +52,13 @@ impl Quad {
         [0, 1].map(|i| self.centre()[i].mid())
     }
 
-    fn centre(&self) -> Spot {
+    pub fn centre(&self) -> Spot {
         let [p, q, r, s] = self.corners;
         mean(mean(p, q), mean(r, s))
     }
 
     /// Half of its length, its width, and its twist.
-    fn sides(&self) -> [Spot; 3] {
+    pub fn sides(&self) -> [Spot; 3] {
         let [p, q, r, s] = self.corners;
         let side = |f: &dyn Fn(usize) -> Span| [0, 1].map(|i| f(i).scaled(0.25));
         [

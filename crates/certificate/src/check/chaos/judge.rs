@@ -1,4 +1,4 @@
-//! Check of the listed words of a chaos JSON (Lemma V12).
+//! Check of the listed words of a chaos JSON (Lemmas V12, V39).
 
 use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -7,6 +7,7 @@ use super::allowance::{Allowance, End};
 use super::bases::HSet;
 use super::entropy::at_least;
 use super::propose::Making;
+use super::strip::left_open;
 use super::words::{Ahead, Counts, Search, Word};
 use super::{Law, STEPS_PER_PLACE, cones};
 use crate::chaos::ChaosCertificate;
@@ -54,18 +55,41 @@ impl ChaosCertificate {
         let allowed = limits.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
         let each = (allowed / WORDS_PER_WORK).saturating_mul(words.len() as u64); // proposes: when to give up
         let work = Allowance::new(allowed.saturating_add(each), &watch); // proposes: when to give up
-        Ok(match self.lost(&law, &bases, &words, &work, &mut progress) {
+        let open = match &self.document.witness {
+            Some(witness) => left_open(&law, (&bases, &words), &witness.strips, (allowed, &watch), &mut progress),
+            None if self.document.over.is_some() => self.searched(&law, (&bases, &words), &work, &mut progress),
+            None => return Ok(Doubt::open("no witness").on(self.count())),
+        };
+        Ok(match open {
             Ok(None) => match self.hyperbolic(&law, (&bases, &words), allowed, &watch) {
                 Ok(None) => Verdict::Confirmed { bits: DOUBLE_BITS, pieces: 1 },
                 Ok(Some(doubt)) => doubt.on(self.count()),
                 Err(_) => Verdict::Interrupted { events: confirmed },
             },
-            Ok(Some(found)) => {
-                let why = if work.is_spent() { "the work allowed is spent" } else { "it is not proved again" };
-                shortfall((found, why), &words, bases.len())
-            }
+            Ok(Some(verdict)) => verdict,
             Err(_) => Verdict::Interrupted { events: confirmed },
         })
+    }
+
+    /// The verdict if the words are not all found by a search; `None` if they are.
+    fn searched(
+        &self,
+        law: &Law,
+        (bases, words): (&[HSet], &[Word]),
+        work: &Allowance,
+        progress: &mut impl FnMut(usize),
+    ) -> Result<Option<Verdict>, End> {
+        let Some(mut found) = self.lost(law, bases, words, work, progress)? else { return Ok(None) };
+        let why = if work.is_spent() { "the work allowed is spent" } else { "it is not proved again" };
+        let is_found = |word: &Word| match found.get_mut(word) {
+            Some(count) if *count > 0 => {
+                *count -= 1;
+                true
+            }
+            _ => false,
+        };
+        let is_found: Vec<bool> = words.iter().map(is_found).collect();
+        Ok(Some(shortfall((&is_found, why), words, bases.len())))
     }
 
     /// The doubt that is left of a hyperbolic set, if one is claimed.
@@ -213,18 +237,10 @@ fn follow_all<'w>(
 
 /// The verdict at the first word that is not found, with the entropy of those that are: a part of a list proves what follows from that
 /// part.
-fn shortfall((mut found, why): (Counts, &str), words: &[Word], bases: usize) -> Verdict {
-    let is_found = |word: &Word| match found.get_mut(word) {
-        Some(count) if *count > 0 => {
-            *count -= 1;
-            true
-        }
-        _ => false,
-    };
-    let is_found: Vec<bool> = words.iter().map(is_found).collect();
+pub(super) fn shortfall((is_found, why): (&[bool], &str), words: &[Word], bases: usize) -> Verdict {
     let first = is_found.iter().position(|is_found| !is_found).expect("a word is missing");
     let kept: Vec<_> =
-        words.iter().zip(&is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
+        words.iter().zip(is_found).filter(|(_, is_found)| **is_found).map(|(word, _)| word.by_impacts()).collect();
     let left = match at_least(&kept, bases) {
         Some(entropy) => format!(
             "; the {} of {} words that are proved have an entropy of at least {entropy} per impact",

@@ -1,7 +1,7 @@
 //! Boxes of phases, and the equations of a word that cut them (Lemma V41).
 
-use super::super::span::Span;
 use super::super::contact::Doubt;
+use super::super::span::Span;
 use super::excitation::Excitation;
 use impact_pair_model::Wall;
 

@@ -1,7 +1,7 @@
 //! Displacement of the box and its derivatives over an interval of phases, in gap widths and forcing periods (Lemma V41).
 
-use super::super::span::Span;
 use super::super::data::{Data, HarmonicData};
+use super::super::span::Span;
 use impact_pair_exact::{Exact, Real};
 
 /// Bits of the parameters before they become doubles.

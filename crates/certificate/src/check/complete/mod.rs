@@ -16,9 +16,9 @@ use impact_pair_model::Word;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
-use super::span::Span;
 use super::contact::Doubt;
 use super::data::Data;
+use super::span::Span;
 use crate::attraction::ClaimedOrbit;
 use cell::{Cell, Equations};
 use excitation::Excitation;

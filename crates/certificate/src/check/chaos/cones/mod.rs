@@ -26,7 +26,8 @@ use prove::{Proved, heights, recurrent};
 use rates::{Edge, Graph};
 use seek::branches;
 use strings::{Step, Strings};
-use strip::{Branch, Frame, Map};
+pub(super) use strip::Frame;
+use strip::{Branch, Map};
 
 /// The claims: bounds as doubles within those of the document.
 struct Claimed {

@@ -10,7 +10,7 @@ use super::sides::{Sides, cross};
 
 /// An h-set as the parallelogram of its middle and its half vectors.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(in crate::check::chaos) struct Frame {
     pub centre: State,
     pub along: State,
     pub across: State,

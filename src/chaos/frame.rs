@@ -1,8 +1,8 @@
 //! The parallelogram of an h-set and its coordinates: Lemma D25 of `docs/proofs/hyperbolic.md#D25`.
 
-use crate::chaos::flights::is_positive;
-use crate::chaos::quad::State;
-use crate::chaos::words::HSet;
+use super::flights::is_positive;
+use super::quad::State;
+use super::words::HSet;
 use crate::number::{Ball, Number, UNIT};
 
 /// The states `centre + xi along + eta across` with `|xi|, |eta| <= 1`, all numbers exact.

@@ -1,0 +1,272 @@
+//! Strips of words: the states of an h-set that a word leads across another one, between two lines across it. Lemma D34 of
+//! `docs/proofs/chaos.md#D34`.
+//!
+//! A strip is all that it takes to prove its word again: documents carry it, and whoever reads them follows its cells.
+//! Floating point proposes strips ([`find`]), intervals prove them ([`cover`]).
+
+mod cover;
+mod find;
+
+use super::flights::is_positive;
+use super::frame::Frame;
+use super::guess::Guess;
+use super::law::{Law, Side};
+use super::words::{HSet, Path};
+use crate::number::{Ball, up};
+use crate::threads::each;
+use crate::watch::{Stage, Watch};
+use cover::Cover;
+use find::Finder;
+
+/// A little more than half of the height of an h-set, in its coordinates: an exact number, and so are its fractions by powers of two.
+const TALL: f64 = 1.0 + 1.0 / (1_u64 << 30) as f64; // exact: a power of two
+/// Halvings of the height within which two strips are told apart.
+const APART_HALVINGS: u32 = 12;
+
+/// The part of an h-set between two curves from below to above it, in the coordinates of the h-set: from -1 to 1 along it and across.
+///
+/// **Enclosure**: the word of the strip has its flights from all states of the h-set between the two curves. Lemma D34
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strip {
+    /// The place of the left curve at a height: coefficients of its powers, from the constant on.
+    pub left: Vec<f64>,
+    /// Those of the right curve.
+    pub right: Vec<f64>,
+}
+
+/// Holds the value of a polynomial at a height.
+fn value(curve: &[f64], height: Ball) -> Ball {
+    curve.iter().rev().fold(Ball::exact(0.0), |sum, &part| sum * height + Ball::exact(part))
+}
+
+/// Holds its second derivative there.
+fn bend(curve: &[f64], height: Ball) -> Ball {
+    let weighted = |(k, part): (usize, &f64)| Ball::exact((k * (k - 1)) as f64) * Ball::exact(*part); // exact: small numbers
+    curve.iter().enumerate().skip(2).map(weighted).rev().fold(Ball::exact(0.0), |sum, part| sum * height + part)
+}
+
+/// A part of the heights of a strip, from a fraction of the whole height to another one.
+#[derive(Clone, Copy, Debug)]
+struct Heights {
+    low: f64,
+    high: f64,
+}
+
+impl Heights {
+    const ALL: Self = Self { low: -TALL, high: TALL };
+
+    fn all(&self) -> Ball {
+        Ball::new(0.5 * (self.low + self.high), up(0.5 * (self.high - self.low))) // D34: dyadic fractions of the whole height
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        let middle = 0.5 * (self.low + self.high); // D34: exact
+        [Self { low: self.low, high: middle }, Self { low: middle, high: self.high }]
+    }
+
+    /// Bounds how far a curve is from the straight line between its ends at these heights.
+    fn bulge(&self, curve: &[f64]) -> f64 {
+        let height = up(self.high - self.low);
+        up(0.125 * bend(curve, self.all()).mag() * height * height)
+    }
+}
+
+impl Strip {
+    /// Whether one curve is proved to be on the left of another one at all heights.
+    fn is_left(one: &[f64], two: &[f64]) -> bool {
+        let length = one.len().max(two.len()); // exact: of two lengths
+        let part = |curve: &[f64], k: usize| Ball::exact(curve.get(k).copied().unwrap_or(0.0)); // exact: none is 0
+        let away: Vec<Ball> = (0..length).map(|k| part(two, k) - part(one, k)).collect();
+        let at = |height: Ball| away.iter().rev().fold(Ball::exact(0.0), |sum, &part| sum * height + part);
+        let mut open = vec![(Heights::ALL, 0)];
+        while let Some((heights, halvings)) = open.pop() {
+            if is_positive(at(heights.all())) {
+                continue;
+            }
+            if halvings == APART_HALVINGS {
+                return false;
+            }
+            open.extend(heights.halves().map(|half| (half, halvings + 1)));
+        }
+        true
+    }
+
+    /// Whether this strip and another one of the h-set have no state in common: one is on the left of the other at all heights. Lemma D34
+    fn is_apart(&self, other: &Self) -> bool {
+        Self::is_left(&self.right, &other.left) || Self::is_left(&other.right, &self.left)
+    }
+
+    /// Whether the strip leads from below the h-set to above it, between its left and its right edge, and has some breadth everywhere.
+    /// Lemma D34
+    fn is_across(&self, base: &HSet, frame: &Frame) -> bool {
+        let corner = |state: [f64; 2]| frame.place(state.map(Ball::exact), 0.0);
+        let ends = [base.left, base.right].map(|edge| [edge.bottom, edge.top].map(corner));
+        let [Some([a, b]), Some([c, d])] = ends.map(|[bottom, top]| Some([bottom?, top?])) else { return false };
+        let tall = Ball::exact(TALL);
+        let is_in = |[_, eta]: [Ball; 2]| is_positive(tall - eta) && is_positive(tall + eta);
+        // Upper bounds of the places of the left corners, lower ones of those of the right corners.
+        let left = up(a[0].mid() + a[0].rad()).max(up(b[0].mid() + b[0].rad())); // D34: both corners
+        let right = -up(c[0].rad() - c[0].mid()).max(up(d[0].rad() - d[0].mid())); // D34: both corners
+        [a, b, c, d].into_iter().all(is_in)
+            && Self::is_left(&[left], &self.left)
+            && Self::is_left(&self.left, &self.right)
+            && Self::is_left(&self.right, &[right])
+    }
+}
+
+/// Strips of words between h-sets, in their order, each apart from those of other words: `None` where none is found, or proved, or before the
+/// watch stops the search. Lemma D34
+pub(super) fn strips(law: &Law, bases: &[HSet], words: &[Path], watch: &dyn Watch) -> Vec<Option<Strip>> {
+    let guess = Guess::new(law);
+    let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
+    let numbers: Vec<usize> = (0..words.len()).collect();
+    let finder = |number: usize| {
+        let path = &words[number];
+        Finder { guess: &guess, frames: [path.from, path.to].map(|base| &frames[base]), path }
+    };
+    let ends: Vec<Option<[f64; 2]>> = each(&numbers, &|&number: &usize| finder(number).ends());
+    let found = |&number: &usize| {
+        watch.proceed(Stage::Working).is_continue().then_some(())?;
+        let (path, own) = (&words[number], ends[number]?);
+        let finder = finder(number);
+        let cover = Cover { law, guess: &guess, base: &bases[path.to], frames: finder.frames, path };
+        let others = (0..words.len()).filter(|&other| other != number && words[other].from == path.from);
+        let (rises, mut strips) = finder.strips(own, free(own, others.filter_map(|other| ends[other])))?;
+        strips.find(|strip| strip.is_across(&bases[path.from], finder.frames[0]) && cover.is_proved(strip, rises))
+    };
+    let mut found = each(&numbers, &found);
+    // D34: words of one h-set are told apart by their strips
+    for k in 0..words.len() {
+        let own = found[k].take();
+        let others =
+            (0..k).filter(|&other| words[other].from == words[k].from).filter_map(|other| found[other].as_ref());
+        found[k] = own.filter(|own| others.into_iter().all(|other| own.is_apart(other)));
+    }
+    found
+}
+
+/// The places halfway to the next stretches on both sides of one, or its edges.
+///
+/// Labels: proposes throughout.
+fn free(own: [f64; 2], others: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    let middle = |[a, b]: [f64; 2]| 0.5 * (a + b);
+    others.fold([-1.0, 1.0], |[least, most], other| {
+        if middle(other) < middle(own) {
+            [least.max((0.5 * (own[0] + other[1])).min(own[0])), most]
+        } else {
+            [least, most.min((0.5 * (own[1] + other[0])).max(own[1]))]
+        }
+    })
+}
+
+/// The whole forcing periods of a word.
+fn turns(path: &Path) -> f64 {
+    let far = path.sides.iter().filter(|&&side| side == Side::Far).count() as i64; // exact: a length
+    0.5 * (path.half_turns + far) as f64 // exact: a half of a small integer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chaos::quad::State;
+    use crate::chaos::tried::{MAKINGS, Tried};
+    use crate::watch::Unwatched;
+
+    /// `D = 1.178121`, `e = 1/2`, about.
+    fn law() -> Law {
+        Law { gap: Ball::exact(1.178_121_25), restitution: Ball::exact(0.5) }
+    }
+
+    fn bases() -> [HSet; 2] {
+        [
+            HSet::new([0.77843, 1.234518], [0.02877, 0.082], [-0.0002976, 0.002596]),
+            HSet::new([0.779603, 1.224294], [0.028826, 0.081513], [-0.0001488, 0.001298]),
+        ]
+    }
+
+    fn words(law: &Law, bases: &[HSet]) -> Vec<Path> {
+        Tried::new(law, bases, MAKINGS[0]).deepened((9, u64::MAX), &Unwatched).search.words
+    }
+
+    #[test]
+    fn all_words_have_strips_that_are_apart() {
+        let (law, bases) = (law(), bases());
+        let words = words(&law, &bases);
+        assert!(words.len() > 10, "{}", words.len());
+        let found: Vec<Strip> = strips(&law, &bases, &words, &Unwatched).into_iter().flatten().collect();
+        assert_eq!(found.len(), words.len());
+        let own = |k: &usize, other: &usize| k < other && words[*k].from == words[*other].from;
+        let pairs = (0..words.len()).flat_map(|k| (0..words.len()).map(move |other| (k, other)));
+        assert!(pairs.filter(|(k, other)| own(k, other)).all(|(k, other)| found[k].is_apart(&found[other])));
+    }
+
+    /// States of a strip fly in doubles as its word says, and come between bottom and top of the h-set, its sides beyond the edges.
+    #[test]
+    fn states_of_strips_fly_as_their_words_say() {
+        let (law, bases) = (law(), bases());
+        let guess = Guess::new(&law);
+        let words = words(&law, &bases);
+        for (path, strip) in words.iter().zip(strips(&law, &bases, &words, &Unwatched)) {
+            let strip = strip.expect("a strip");
+            let [from, to] = [path.from, path.to].map(|base| Frame::of(&bases[base]));
+            let flown = |across: f64, height: f64| -> State {
+                let [left, right] = [&strip.left, &strip.right].map(|side| value(side, Ball::exact(height)).mid());
+                let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
+                let mut state = [0, 1].map(|i| from.centre[i] + xi * from.along[i] + height * from.across[i]);
+                for side in &path.sides {
+                    let image = guess.map(state).expect("a flight");
+                    assert_eq!(image.side, *side);
+                    state = image.state;
+                }
+                to.seen([state[0] - turns(path) - to.centre[0], state[1] - to.centre[1]])
+            };
+            for j in -6..=6 {
+                let at = |i: i32| flown(f64::from(i) / 4.0, f64::from(j) / 6.0);
+                assert!((-4..=4).all(|i| at(i)[1].abs() < 1.0));
+                let [a, b] = [at(-4)[0], at(4)[0]];
+                assert!(a.abs() > 1.0 && b.abs() > 1.0 && a * b < 0.0, "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn false_strips_are_not_proved() {
+        let (law, bases) = (law(), bases());
+        let (guess, words) = (Guess::new(&law), words(&law, &bases));
+        let found = strips(&law, &bases, &words, &Unwatched);
+        for (path, strip) in words.iter().zip(&found).take(6) {
+            let strip = strip.as_ref().expect("a strip");
+            let frames = [path.from, path.to].map(|base| Frame::of(&bases[base]));
+            let [from, to] = frames.each_ref();
+            let cover = Cover { law: &law, guess: &guess, base: &bases[path.to], frames: [from, to], path };
+            let is_proved = |strip: &Strip| [true, false].into_iter().any(|rises| cover.is_proved(strip, rises));
+            assert!(is_proved(strip));
+            let breadth = strip.right[0] - strip.left[0];
+            for (left, right) in [(0.3, 0.0), (0.0, -0.3), (0.3, 0.3), (-0.3, -0.3)] {
+                let mut other = strip.clone();
+                other.left[0] += left * breadth;
+                other.right[0] += right * breadth;
+                assert!(!is_proved(&other), "{left} {right}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_curve_is_left_of_another_one_at_all_heights() {
+        let is_left = |one: &[f64], two: &[f64]| Strip::is_left(one, two);
+        assert!(is_left(&[0.0, 0.1], &[0.2]) && is_left(&[0.0], &[0.2, 0.1, -0.05]));
+        assert!(!is_left(&[0.0, 0.1], &[0.1]) && !is_left(&[0.0, 0.0, 1.0], &[0.9]) && !is_left(&[0.2], &[0.1]));
+    }
+
+    /// A parabola is as far from its chord in the middle.
+    #[test]
+    fn bulges_bound_how_far_curves_are_from_their_chords() {
+        let curve = [0.1, -0.4, 0.25];
+        for Heights { low, high } in Heights::ALL.halves() {
+            let at = |height: f64| value(&curve, Ball::exact(height)).mid();
+            let away = (at(0.5 * (low + high)) - 0.5 * (at(low) + at(high))).abs();
+            let bulge = Heights { low, high }.bulge(&curve);
+            assert!(away <= bulge && bulge < away + 1e-9, "{away} {bulge}");
+        }
+    }
+}
