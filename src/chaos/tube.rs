@@ -136,7 +136,7 @@ impl BoxChain {
     /// The middle of the chain at a place, the number of a cell and a fraction of it, and about where it comes from in the chain before.
     pub fn middle(&self, place: f64) -> (State, f64) {
         let cell = (place as usize).min(self.cells() - 1); // proposes: where to look
-        let part = place - cell as f64;
+        let part = place - cell as f64; // proposes: where to look
         let mix = |a: f64, b: f64| a + part * (b - a);
         let state = |chord: &Chord| [0, 1].map(|i| 0.5 * (chord.bottom[i] + chord.top[i]));
         let [from, to] = [cell, cell + 1].map(|chord| state(&self.chords[chord]));

@@ -122,7 +122,7 @@ impl HSet {
 impl Run {
     /// About the states of a motion along the middles of the cell chains, from the h-set on, that comes to a chord.
     fn motion(&self, chord: usize) -> Vec<State> {
-        let (mut states, mut place) = (Vec::new(), chord as f64);
+        let (mut states, mut place) = (Vec::new(), chord as f64); // proposes: where to look
         let mut run = Some(self);
         while let Some(Self { tube, before, .. }) = run {
             let (state, origin) = tube.middle(place);

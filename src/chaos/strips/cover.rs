@@ -14,7 +14,7 @@ use crate::number::{Ball, Number, UNIT, up};
 /// Flights of the sets of a strip at most: some tenths of a second.
 const MOST_FLIGHTS: usize = 1 << 17;
 /// The least half breadth of a band at the start, how often one is halved after some flights, and a set in height.
-const LEAST_RADIUS: f64 = 1.0 / (1 << 20) as f64;
+const LEAST_RADIUS: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 10;
 const HEIGHT_HALVINGS: u32 = 8;
 /// Where there are more sets in a row, each is long along the strip: its parallelogram has a side in that direction, which is not known well
@@ -31,7 +31,7 @@ const MERGED: f64 = 1.15;
 const LONGER: f64 = 1.5;
 const THIN: f64 = 0.02;
 /// How long images of parts of a side may be, those of half the strip being 1: what is tried first, and last, and one after the other.
-const SIDE_ROOM: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64];
+const SIDE_ROOM: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64]; // exact: powers of two
 const LESS_ROOM: f64 = 0.25;
 
 /// A part of a strip from side to side: a middle and a half breadth, that of the strip being 1. A side has no breadth.
@@ -145,7 +145,7 @@ impl Cover<'_> {
             let is_straight = |slice: &Heights| {
                 let [a, b] = [&strip.left, &strip.right].map(|curve| value(curve, slice.all()).mid());
                 let bulge = slice.bulge(&strip.left).max(slice.bulge(&strip.right)); // proposes: how many slices
-                bulge <= STRAIGHT * band.radius.max(band.room).min(BROAD) * (b - a)
+                bulge <= STRAIGHT * band.radius.max(band.room).min(BROAD) * (b - a) // proposes: how many slices
             };
             if slices.iter().all(is_straight) {
                 return Some(slices);
@@ -326,8 +326,6 @@ impl Cover<'_> {
 }
 
 /// Whether the images of a set are about as long and as thick as the derivative at its centre makes them.
-///
-/// Labels: proposes throughout.
 fn is_linear(quad: &Quad, jacobian: [[f64; 2]; 2], flown: &Flown, room: f64) -> bool {
     let [expanding, contracted] = flown.axes;
     let area = vector::cross(expanding, contracted).abs();
@@ -335,8 +333,9 @@ fn is_linear(quad: &Quad, jacobian: [[f64; 2]; 2], flown: &Flown, room: f64) -> 
     let long = vector::cross(images[0], contracted).abs() / area;
     let thick = images.iter().map(|image| vector::cross(expanding, *image).abs()).sum::<f64>() / area;
     around(&[*flown]).is_some_and(|(_, reach)| {
+        let is_short = reach[0] <= LONGER * long.max(room); // proposes: any sets will do
         // A side may be thick: it is not cut from side to side.
-        reach[0] <= LONGER * long.max(room) && (room > 0.0 || reach[1] <= LONGER * thick || reach[1] <= THIN * reach[0])
+        is_short && (room > 0.0 || reach[1] <= LONGER * thick || reach[1] <= THIN * reach[0])
     })
 }
 

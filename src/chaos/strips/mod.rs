@@ -146,15 +146,13 @@ pub(super) fn strips(law: &Law, bases: &[HSet], words: &[Path], watch: &dyn Watc
 }
 
 /// The places halfway to the next stretches on both sides of one, or its edges.
-///
-/// Labels: proposes throughout.
 fn free(own: [f64; 2], others: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     let middle = |[a, b]: [f64; 2]| 0.5 * (a + b);
     others.fold([-1.0, 1.0], |[least, most], other| {
         if middle(other) < middle(own) {
-            [least.max((0.5 * (own[0] + other[1])).min(own[0])), most]
+            [least.max((0.5 * (own[0] + other[1])).min(own[0])), most] // proposes: which strips are tried
         } else {
-            [least, most.min((0.5 * (own[1] + other[0])).max(own[1]))]
+            [least, most.min((0.5 * (own[1] + other[0])).max(own[1]))] // proposes: which strips are tried
         }
     })
 }

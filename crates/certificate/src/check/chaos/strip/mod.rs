@@ -31,14 +31,14 @@ const MAX_FLIGHTS: usize = 1 << 19;
 /// A set that is followed over a flight counts as N looks at it.
 const WORK_PER_SET: usize = 4;
 /// Least part of a strip from side to side at the start, halvings of a part after some flights, and of a patch in height.
-const LEAST_BAND: f64 = 1.0 / (1 << 20) as f64;
+const LEAST_BAND: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 12;
 const HEIGHT_HALVINGS: u32 = 9;
 /// A slice bulges by less than this part of its band, or of the strip, and there are no more slices than that.
 const BULGES: [f64; 2] = [1.0 / 16.0, 1.0 / 128.0];
 const MAX_SLICES: usize = 1 << 13;
 /// How long images of parts of a side may be, those of half of the strip being 1: what is tried first, and last, and one after the other.
-const SIDE_LENGTHS: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64];
+const SIDE_LENGTHS: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64]; // exact: powers of two
 const SHORTER: f64 = 0.25;
 /// More patches than this are long in height, and each of them is so along the sides of the strip.
 const MANY: usize = 64;
@@ -287,8 +287,6 @@ impl Proof<'_> {
     }
 
     /// The flights of the middle of a row on, as far as they are those of the word, in doubles.
-    ///
-    /// Labels: proposes throughout.
     fn legs(&self, row: &Row, allowed: f64) -> Result<Vec<Leg>, End> {
         let Self { cover: Cover { guess, frames, .. }, word, strip, .. } = self;
         let middle = &row.patches[row.patches.len() / 2];

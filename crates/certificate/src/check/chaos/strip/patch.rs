@@ -114,8 +114,6 @@ impl Patch {
     }
 
     /// Whether its images are about as long and as thick as the derivative in its middle makes them, or no longer than that is allowed.
-    ///
-    /// Labels: proposes throughout.
     pub fn is_small(&self, image: &Image, flown: &Flown, allowed: f64) -> bool {
         let [g, h] = flown.directions;
         let area = cross(g, h).abs();
@@ -123,8 +121,9 @@ impl Patch {
         let long = cross(images[0], h).abs() / area;
         let thick = images.iter().map(|side| cross(g, *side).abs()).sum::<f64>() / area;
         flown.reach(flown).is_some_and(|[x, y]| {
+            let is_short = x <= MAX_EXCESS * long.max(allowed); // proposes: any patches will do
             // A side may be thick: it is not cut from side to side.
-            x <= MAX_EXCESS * long.max(allowed) && (allowed > 0.0 || y <= MAX_EXCESS * thick || y <= THIN * x)
+            is_short && (allowed > 0.0 || y <= MAX_EXCESS * thick || y <= THIN * x)
         })
     }
 }
