@@ -27,7 +27,7 @@ struct Cover<'c> {
 }
 
 /// Sets of a word that are followed over a flight at most.
-const MAX_FLIGHTS: usize = 1 << 19;
+const MAX_FLIGHTS: usize = 1 << 20;
 /// A set that is followed over a flight counts as N looks at it.
 const WORK_PER_SET: usize = 4;
 /// Least part of a strip from side to side at the start, halvings of a part after some flights, and of a patch in height.
@@ -40,7 +40,7 @@ const MAX_SLICES: usize = 1 << 13;
 /// How long images of parts of a side may be, those of half of the strip being 1: what is tried first, and last, and one after the other.
 const SIDE_LENGTHS: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64]; // exact: powers of two
 const SHORTER: f64 = 0.25;
-/// More patches than this are long in height, and each of them is so along the sides of the strip.
+/// More patches than this are long in height, and each of them is so along the sides of the strip; of the sides themselves both ways are tried.
 const MANY: usize = 64;
 
 /// An h-set some forcing periods later, which a word ends at.
@@ -151,14 +151,16 @@ impl Proof<'_> {
     /// Returns whether all images of a side of the strip are beyond an edge.
     fn is_side_beyond(&mut self, at: f64, is_right: bool) -> Result<bool, End> {
         let side = Band { from: at, to: at };
-        let mut allowed = SIDE_LENGTHS[0];
-        while allowed >= SIDE_LENGTHS[1] {
-            if let Some(row) = self.row(side, allowed)
-                && self.follow(row, Goal::Beyond { is_right }, allowed)?.is_none()
-            {
-                return Ok(true);
+        for many in [MANY, usize::MAX] {
+            let mut allowed = SIDE_LENGTHS[0];
+            while allowed >= SIDE_LENGTHS[1] {
+                if let Some(row) = self.row(side, allowed)
+                    && self.follow(row, Goal::Beyond { is_right }, (allowed, many))?.is_none()
+                {
+                    return Ok(true);
+                }
+                allowed *= SHORTER;
             }
-            allowed *= SHORTER;
         }
         Ok(false)
     }
@@ -185,7 +187,7 @@ impl Proof<'_> {
             return Ok(false);
         }
         while let Some((row, halvings)) = open.pop() {
-            let Some(row) = self.follow(row, Goal::Between, 0.0)? else { continue };
+            let Some(row) = self.follow(row, Goal::Between, (0.0, MANY))? else { continue };
             if row.flown == 0 || halvings == LATER_HALVINGS || self.left == 0 {
                 return Ok(false);
             }
@@ -220,7 +222,7 @@ impl Proof<'_> {
     }
 
     /// Follows a row to the end of the word: `None` if all images are where they have to be, else the row that has to be cut.
-    fn follow(&mut self, mut row: Row, goal: Goal, allowed: f64) -> Result<Option<Row>, End> {
+    fn follow(&mut self, mut row: Row, goal: Goal, (allowed, many): (f64, usize)) -> Result<Option<Row>, End> {
         let legs = self.legs(&row, allowed)?;
         if row.flown + legs.len() < self.word.flights.len() {
             return Ok(Some(row));
@@ -228,7 +230,7 @@ impl Proof<'_> {
         for mut leg in legs {
             let goal = (row.flown + 1 == self.word.flights.len()).then_some(goal);
             let mut images = Vec::with_capacity(row.patches.len());
-            let are_many = row.patches.len() > MANY;
+            let are_many = row.patches.len() > many;
             for patch in &row.patches {
                 let Some(flown) = self.flown(row.flown, patch, (&mut leg, are_many), goal)? else {
                     return Ok(Some(row));

@@ -19,7 +19,7 @@ use crate::check::contact::Doubt;
 
 /// Words whose work is counted together, and the part of all work that they are allowed: so threads decide nothing.
 const BLOCK_SIZE: usize = 4;
-const BLOCKS_PER_WORK: u64 = 16;
+const BLOCKS_PER_WORK: u64 = 2;
 
 /// The verdict if some words are not proved by the strips, or not to be different ones; `None` if all are. `progress` receives the number of words
 /// that are proved without a gap.
