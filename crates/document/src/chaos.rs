@@ -135,7 +135,7 @@ pub struct ChaosWitness {
     pub strips: Vec<StripDocument>,
 }
 
-/// A strip between two curves across an h-set, in the coordinates of the parallelogram that the means of its corners make: `xi` from -1 to 1 from left
+/// A strip between two curves across an h-set, in the coordinates of the parallelogram that the means of its corners make, about: `xi` from -1 to 1 from left
 /// to right, `eta` from bottom to top.
 ///
 /// Each is a polynomial `xi = c0 + c1 eta + c2 eta^2 + ...`, over `eta` from `-(1 + 2^-30)` to `1 + 2^-30`. Coefficients are read as the nearest doubles.

@@ -9,16 +9,16 @@ use crate::chaos::quad::{Chord, Quad, State};
 use crate::chaos::tube::{edge, left};
 use crate::chaos::vector::{self, applied, length, unit};
 use crate::chaos::words::{HSet, Path};
-use crate::number::{Ball, Number, UNIT, up};
+use crate::number::{Ball, Number, TINY, UNIT, up};
 
 /// Flights of the sets of a strip at most: some tenths of a second.
-const MOST_FLIGHTS: usize = 1 << 17;
+const MOST_FLIGHTS: usize = 1 << 18;
 /// The least half breadth of a band at the start, how often one is halved after some flights, and a set in height.
 const LEAST_RADIUS: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 10;
 const HEIGHT_HALVINGS: u32 = 8;
-/// Where there are more sets in a row, each is long along the strip: its parallelogram has a side in that direction, which is not known well
-/// after many flights. Else a side has the direction that the flights to come contract.
+/// In a longer row parallelograms have a side along the sides of the strip, if that makes them small: this direction is known well after few flights.
+/// In a shorter one they have a side in the direction that the flights to come contract. The other one is tried next.
 const LONG_ROW: usize = 64;
 /// A slice bulges at most by this part of a band's breadth, or of that of a strip times `BROAD`; and there are no more slices than that.
 const STRAIGHT: f64 = 1.0 / 8.0;
@@ -229,13 +229,13 @@ impl Cover<'_> {
                 let landing = Flights::new(self.law, quad).land(side, image.state[0] - side.shift())?;
                 let tangent = unit(applied(image.jacobian, set.tangent));
                 let [expanding, contracted] = step.axes;
-                let axes = [expanding, if is_long { tangent } else { contracted }];
-                let flown = Flown { landing, axes, tangent };
-                let is_good = match goal {
+                let along = |across: State| Flown { landing, axes: [expanding, across], tangent };
+                let known = if is_long { [tangent, contracted] } else { [contracted, tangent] };
+                let is_good = |flown: &Flown| match goal {
                     Some(goal) => self.is_at(&landing, goal),
-                    None => is_linear(quad, image.jacobian, &flown, step.room),
+                    None => is_linear(quad, image.jacobian, flown, step.room),
                 };
-                is_good.then_some(flown)
+                known.map(along).into_iter().find(is_good)
             });
             match flown {
                 Some(flown) => all.push(flown),
@@ -265,9 +265,7 @@ impl Cover<'_> {
             (Ball::exact(0.5 * (1.0 - at)) * a + Ball::exact(0.5 * (1.0 + at)) * b).widened(bulge) // exact: dyadic
         };
         let corner = |at: f64, outward: f64, height: f64| {
-            let place = place(at, height);
-            let end = outward * up(outward * place.mid() + place.rad());
-            self.frames[0].state(Ball::exact(end), Ball::exact(height))
+            self.frames[0].state(Ball::exact(bound(place(at, height), outward)), Ball::exact(height))
         };
         let edge = |at: f64, outward: f64| [slice.low, slice.high].map(|height| corner(at, outward, height));
         let corners = [edge(band.at - band.radius, -1.0), edge(band.at + band.radius, 1.0)];
@@ -325,6 +323,11 @@ impl Cover<'_> {
     }
 }
 
+/// A bound of all members: a lower one outward to the left, -1, or an upper one outward to the right, 1.
+fn bound(x: Ball, outward: f64) -> f64 {
+    outward * (outward * x.mid() + x.rad()).next_up() // D34: outward
+}
+
 /// Whether the images of a set are about as long and as thick as the derivative at its centre makes them.
 fn is_linear(quad: &Quad, jacobian: [[f64; 2]; 2], flown: &Flown, room: f64) -> bool {
     let [expanding, contracted] = flown.axes;
@@ -362,16 +365,35 @@ fn around(all: &[Flown]) -> Option<(Set, [f64; 2])> {
     let [g, h] = [expanding, contracted].map(|direction| direction.map(Ball::exact));
     let area = cross(g, h);
     let reach = |normal: [Ball; 2]| {
-        let by = |flown: &Flown| Some(flown.landing.along(normal, centre.map(Ball::exact)).checked_div(area)?.mag());
+        let by = |flown: &Flown| {
+            let by = flown.landing.along(normal, centre.map(Ball::exact)).checked_div(area)?.mag();
+            by.is_finite().then_some(by)
+        };
         all.iter().map(by).try_fold(0.0, |most: f64, by| Some(most.max(by?))) // D34: the farthest
     };
     let (along, across) = (reach([h[1], -h[0]])?, reach([-g[1], g[0]])?);
     let sides = [expanding.map(|x| along * x), contracted.map(|x| across * x)];
     let size = [0, 1].map(|i| up(sides[0][i].abs() + sides[1][i].abs()));
-    let slack = size.map(|size| up(4.0 * UNIT * size)); // D34: two products, rounded
+    let slack = size.map(|size| up(4.0 * UNIT * size + TINY)); // D34: two products, rounded
     let floor = (centre[1] - up(size[1] + slack[1])).next_down().max(0.0); // D24: they have landed, so no speed is negative
     let is_known = size.iter().all(|size| size.is_finite());
     let quad = Quad { centre, sides, twist: [0.0; 2], slack, floor };
     let tangent = [0, 1].map(|i| 0.5 * (first.tangent[i] + last.tangent[i]));
     is_known.then_some((Set { quad, tangent }, [along, across]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On both sides of 0, where a factor would move one of them inward.
+    #[test]
+    fn bounds_are_outward() {
+        for middle in [0.3, -0.3, 1.1, -1.1, 0.0] {
+            for radius in [0.0, 1e-17, 1e-3] {
+                let x = Ball::new(middle, radius);
+                assert!(bound(x, -1.0) < middle - radius && bound(x, 1.0) > middle + radius, "{middle} {radius}");
+            }
+        }
+    }
 }

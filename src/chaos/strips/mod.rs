@@ -25,7 +25,9 @@ const APART_HALVINGS: u32 = 12;
 
 /// The part of an h-set between two curves from below to above it, in the coordinates of the h-set: from -1 to 1 along it and across.
 ///
-/// **Enclosure**: the word of the strip has its flights from all states of the h-set between the two curves. Lemma D34
+/// **Enclosure**: from all states between the two curves, a little above and below the h-set as well, the word's flights come one after the other, and
+/// end between bottom and top of the h-set that is covered; those from one curve end beyond its left edge, those from the other beyond its right one.
+/// Lemma D34
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strip {
     /// The place of the left curve at a height: coefficients of its powers, from the constant on.
@@ -45,7 +47,7 @@ fn bend(curve: &[f64], height: Ball) -> Ball {
     curve.iter().enumerate().skip(2).map(weighted).rev().fold(Ball::exact(0.0), |sum, part| sum * height + part)
 }
 
-/// A part of the heights of a strip, from a fraction of the whole height to another one.
+/// Heights of a strip from one to another: dyadic fractions of its whole height.
 #[derive(Clone, Copy, Debug)]
 struct Heights {
     low: f64,
@@ -105,12 +107,12 @@ impl Strip {
         let tall = Ball::exact(TALL);
         let is_in = |[_, eta]: [Ball; 2]| is_positive(tall - eta) && is_positive(tall + eta);
         // Upper bounds of the places of the left corners, lower ones of those of the right corners.
-        let left = up(a[0].mid() + a[0].rad()).max(up(b[0].mid() + b[0].rad())); // D34: both corners
-        let right = -up(c[0].rad() - c[0].mid()).max(up(d[0].rad() - d[0].mid())); // D34: both corners
+        let left = [a, b].map(|corner| (corner[0].mid() + corner[0].rad()).next_up()); // D34: upward
+        let right = [c, d].map(|corner| (corner[0].mid() - corner[0].rad()).next_down()); // D34: downward
         [a, b, c, d].into_iter().all(is_in)
-            && Self::is_left(&[left], &self.left)
+            && left.iter().all(|&left| Self::is_left(&[left], &self.left))
             && Self::is_left(&self.left, &self.right)
-            && Self::is_left(&self.right, &[right])
+            && right.iter().all(|&right| Self::is_left(&self.right, &[right]))
     }
 }
 

@@ -153,13 +153,10 @@ impl Equations {
             if self.cycles != self.period {
                 return None;
             }
-            let place = phase + Span::point(own);
-            let later = place - first;
-            match (later.is_positive(), later.is_negative()) {
-                (true, _) => places.push(place),
-                (_, true) => places.push(place + Span::point(self.period)),
-                _ => return None,
-            }
+            let own = phase + Span::point(own);
+            let place = if (own - first).is_negative() { own + Span::point(self.period) } else { own };
+            let is_next = (place - first).is_positive() && (first + Span::point(self.period) - place).is_positive();
+            places.push(is_next.then_some(place)?);
         }
         Some(places)
     }

@@ -40,7 +40,8 @@ const MAX_SLICES: usize = 1 << 13;
 /// How long images of parts of a side may be, those of half of the strip being 1: what is tried first, and last, and one after the other.
 const SIDE_LENGTHS: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64]; // exact: powers of two
 const SHORTER: f64 = 0.25;
-/// More patches than this are long in height, and each of them is so along the sides of the strip; of the sides themselves both ways are tried.
+/// In a row of more patches parallelograms have a side along the sides of the strip, if that makes them small: this direction is known well after few
+/// flights. In a row of fewer they have one that the flights to come contract. The other one is tried next.
 const MANY: usize = 64;
 
 /// An h-set some forcing periods later, which a word ends at.
@@ -151,16 +152,14 @@ impl Proof<'_> {
     /// Returns whether all images of a side of the strip are beyond an edge.
     fn is_side_beyond(&mut self, at: f64, is_right: bool) -> Result<bool, End> {
         let side = Band { from: at, to: at };
-        for many in [MANY, usize::MAX] {
-            let mut allowed = SIDE_LENGTHS[0];
-            while allowed >= SIDE_LENGTHS[1] {
-                if let Some(row) = self.row(side, allowed)
-                    && self.follow(row, Goal::Beyond { is_right }, (allowed, many))?.is_none()
-                {
-                    return Ok(true);
-                }
-                allowed *= SHORTER;
+        let mut allowed = SIDE_LENGTHS[0];
+        while allowed >= SIDE_LENGTHS[1] {
+            if let Some(row) = self.row(side, allowed)
+                && self.follow(row, Goal::Beyond { is_right }, allowed)?.is_none()
+            {
+                return Ok(true);
             }
+            allowed *= SHORTER;
         }
         Ok(false)
     }
@@ -187,7 +186,7 @@ impl Proof<'_> {
             return Ok(false);
         }
         while let Some((row, halvings)) = open.pop() {
-            let Some(row) = self.follow(row, Goal::Between, (0.0, MANY))? else { continue };
+            let Some(row) = self.follow(row, Goal::Between, 0.0)? else { continue };
             if row.flown == 0 || halvings == LATER_HALVINGS || self.left == 0 {
                 return Ok(false);
             }
@@ -222,7 +221,7 @@ impl Proof<'_> {
     }
 
     /// Follows a row to the end of the word: `None` if all images are where they have to be, else the row that has to be cut.
-    fn follow(&mut self, mut row: Row, goal: Goal, (allowed, many): (f64, usize)) -> Result<Option<Row>, End> {
+    fn follow(&mut self, mut row: Row, goal: Goal, allowed: f64) -> Result<Option<Row>, End> {
         let legs = self.legs(&row, allowed)?;
         if row.flown + legs.len() < self.word.flights.len() {
             return Ok(Some(row));
@@ -230,7 +229,7 @@ impl Proof<'_> {
         for mut leg in legs {
             let goal = (row.flown + 1 == self.word.flights.len()).then_some(goal);
             let mut images = Vec::with_capacity(row.patches.len());
-            let are_many = row.patches.len() > many;
+            let are_many = row.patches.len() > MANY;
             for patch in &row.patches {
                 let Some(flown) = self.flown(row.flown, patch, (&mut leg, are_many), goal)? else {
                     return Ok(Some(row));
@@ -266,13 +265,13 @@ impl Proof<'_> {
                 let landing = patch.flights(law).land(is_far, image.time)?;
                 let upward = unit(applied(image.jacobian, patch.upward));
                 let [expanded, contracted] = leg.directions;
-                let directions = [expanded, if are_many { upward } else { contracted }];
-                let flown = Flown { landing, directions, upward };
-                let is_good = match goal {
+                let along = |across: State| Flown { landing, directions: [expanded, across], upward };
+                let known = if are_many { [upward, contracted] } else { [contracted, upward] };
+                let is_good = |flown: &Flown| match goal {
                     Some(goal) => self.target.is_met(&landing, goal),
-                    None => patch.is_small(&image, &flown, leg.allowed),
+                    None => patch.is_small(&image, flown, leg.allowed),
                 };
-                is_good.then_some(flown)
+                known.map(along).into_iter().find(is_good)
             });
             if let Some(flown) = flown {
                 images.push(flown);

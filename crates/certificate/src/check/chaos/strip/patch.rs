@@ -59,7 +59,7 @@ impl Band {
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
 
-    /// The states of the strip there at some heights. Lines between both sides bulge less than the one or the other.
+    /// The states of the strip there at some heights. A line between both sides bulges at most as the one that bulges more.
     pub fn states(&self, frame: &Frame, strip: &Strip, heights: &Heights) -> Patch {
         let bulge = strip.left.bulge(heights).hull(strip.right.bulge(heights));
         let place = |at: f64, height: f64| {
