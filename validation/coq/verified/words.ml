@@ -15,6 +15,19 @@ let read_no_claims head words =
   if List.exists (fun { word_flights; _ } -> Z.lt depth (Z.of_int (List.length word_flights))) words then
     wrong "depth" (get "" head "depth") "a number of impacts that no word exceeds";
   ignore (integer "boxes" (get "" head "boxes"));
+  let curve place strip key =
+    let place = inside place key in
+    List.iter (fun (place, part) -> ignore (Expression.bound place (string place part))) (items place (get "" strip key)) in
+  let strip (place, value) =
+    let sides = members place value in
+    only place [ "left"; "right" ] sides;
+    List.iter (curve place sides) [ "left"; "right" ] in
+  (match List.assoc_opt "witness" head with
+  | None | Some Json.Null -> ()
+  | Some value ->
+    let witness = members "witness" value in
+    only "witness" [ "strips" ] witness;
+    List.iter strip (items "witness.strips" (get "witness" witness "strips")));
   match get "" head "exponent_seen" with
   | Json.Null | Number _ -> ()
   | value -> wrong "exponent_seen" value "a number or null"
