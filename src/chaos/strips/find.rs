@@ -1,4 +1,4 @@
-//! Lines across an h-set that a word maps beyond the ends of another one, found in doubles.
+//! Curves across an h-set that a word maps beyond the ends of another one, found in doubles.
 //!
 //! Labels: proposes throughout.
 
@@ -26,7 +26,7 @@ const STEPS: usize = 12;
 const MISS: f64 = 1e-6;
 const GOOD_MISS: f64 = 1e-4;
 const SHOTS: usize = 3;
-/// Steps up or down a line at most, and the least one.
+/// Steps up or down a curve at most, and the least one.
 const MOST_CLIMBS: usize = 200;
 const LEAST_CLIMB: f64 = 1e-6;
 

@@ -1,7 +1,7 @@
-//! Strips of words: the states of an h-set that a word leads across another one, between two lines across it. Lemma D34 of
+//! Strips of words: the states of an h-set that a word leads across another one, between two curves across it. Lemma D34 of
 //! `docs/proofs/chaos.md#D34`.
 //!
-//! A strip is all that it takes to prove its word again: documents carry it, and whoever reads them follows its cells.
+//! A strip is all that it takes to prove its word again: documents carry it, and `check` follows its states from flight to flight.
 //! Floating point proposes strips ([`find`]), intervals prove them ([`cover`]).
 
 mod cover;

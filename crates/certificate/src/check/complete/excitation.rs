@@ -2,10 +2,8 @@
 
 use super::super::data::{Data, HarmonicData};
 use super::super::span::Span;
+use super::BITS;
 use impact_pair_exact::{Exact, Real};
-
-/// Bits of the parameters before they become doubles.
-const BITS: u32 = 192;
 
 /// Derivatives of the displacement that are enclosed, the displacement itself among them.
 const DERIVATIVES: usize = 7;

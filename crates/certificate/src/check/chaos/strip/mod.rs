@@ -26,10 +26,10 @@ struct Cover<'c> {
     frames: Vec<Frame>,
 }
 
-/// Sets of a word that are followed over a flight at most.
+/// Flights of patches that are followed for a word at most.
 const MAX_FLIGHTS: usize = 1 << 20;
-/// A set that is followed over a flight counts as N looks at it.
-const WORK_PER_SET: usize = 4;
+/// The flight of a patch counts as N looks at it.
+const WORK_PER_PATCH: usize = 4;
 /// Least part of a strip from side to side at the start, halvings of a part after some flights, and of a patch in height.
 const LEAST_BAND: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 12;
@@ -136,17 +136,13 @@ impl Proof<'_> {
 
     /// Which edge of the last h-set the left side of the strip is mapped beyond, in doubles.
     fn leads_right(&self) -> Option<bool> {
-        let [mut state, to] = [self.word.from, self.word.to].map(|base| self.cover.frames[base].centre);
-        let (from, to) = (&self.cover.frames[self.word.from], [to, self.cover.frames[self.word.to].along]);
+        let [from, to] = [self.word.from, self.word.to].map(|base| &self.cover.frames[base]);
         let place = self.strip.left.at(Span::point(0.0)).mid();
-        state = [0, 1].map(|i| state[i] + place * from.along[i]);
+        let mut state = [0, 1].map(|i| from.centre[i] + place * from.along[i]);
         for &is_far in &self.word.flights {
             state = self.cover.guess.map(state).filter(|image| image.is_far == is_far)?.state;
         }
-        let across = self.cover.frames[self.word.to].across;
-        let off = [state[0] - self.target.turns - to[0][0], state[1] - to[0][1]];
-        let area = |[a, b]: State, [c, d]: State| a * d - b * c;
-        Some(area(off, across) / area(to[1], across) > 0.0)
+        Some(to.place(state.map(Span::point), self.target.turns)?[0].mid() > 0.0)
     }
 
     /// Returns whether all images of a side of the strip are beyond an edge.
@@ -226,12 +222,12 @@ impl Proof<'_> {
         if row.flown + legs.len() < self.word.flights.len() {
             return Ok(Some(row));
         }
-        for mut leg in legs {
+        for leg in &legs {
             let goal = (row.flown + 1 == self.word.flights.len()).then_some(goal);
             let mut images = Vec::with_capacity(row.patches.len());
             let are_many = row.patches.len() > MANY;
             for patch in &row.patches {
-                let Some(flown) = self.flown(row.flown, patch, (&mut leg, are_many), goal)? else {
+                let Some(flown) = self.flown(row.flown, patch, (leg, are_many), goal)? else {
                     return Ok(Some(row));
                 };
                 images.extend(flown);
@@ -250,7 +246,7 @@ impl Proof<'_> {
         &mut self,
         number: usize,
         patch: &Patch,
-        (leg, are_many): (&mut Leg, bool),
+        (leg, are_many): (&Leg, bool),
         goal: Option<Goal>,
     ) -> Result<Option<Vec<Flown>>, End> {
         let Cover { law, guess, .. } = self.cover;
@@ -259,7 +255,7 @@ impl Proof<'_> {
         let mut open = vec![(*patch, 0)];
         while let Some((patch, halvings)) = open.pop() {
             let image = guess.map(patch.middle());
-            self.work.spend(WORK_PER_SET, image.map_or(MAX_PERIODS, |image| image.time))?;
+            self.work.spend(WORK_PER_PATCH, image.map_or(MAX_PERIODS, |image| image.time))?;
             self.left = self.left.saturating_sub(1); // exact: none is left
             let flown = image.filter(|image| image.is_far == is_far).and_then(|image| {
                 let landing = patch.flights(law).land(is_far, image.time)?;
