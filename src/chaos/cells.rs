@@ -143,9 +143,28 @@ pub struct Stretch {
     pub verdict: Verdict,
     /// Number of times that the widest cell in it was halved.
     halved: u32,
+    /// Its parts, each with its upper end and the horseshoe that is proved there: all of the same entropy, of the same h-sets.
+    parts: Vec<(Exact, Horseshoe)>,
 }
 
 impl Stretch {
+    fn new([low, high]: [Exact; 2], verdict: Verdict, halved: u32) -> Self {
+        Self { low, high, verdict: Verdict::Undecided, halved, parts: Vec::new() }.with(verdict)
+    }
+
+    /// The same values with what is proved of all of them at once.
+    fn with(self, verdict: Verdict) -> Self {
+        let parts = verdict.horseshoe().map(|horseshoe| (self.high.clone(), horseshoe.clone()));
+        Self { verdict, parts: parts.into_iter().collect(), ..self }
+    }
+
+    /// Both, one after the other, with the verdict of one of them.
+    fn joined(self, next: Self, verdict: Verdict) -> Self {
+        let halved = self.widest(&next);
+        let parts = self.parts.into_iter().chain(next.parts).collect();
+        Self { low: self.low, high: next.high, verdict, halved, parts }
+    }
+
     /// Number of times that the widest cell in either was halved.
     fn widest(&self, other: &Self) -> u32 {
         self.halved.min(other.halved) // exact: a count
@@ -213,16 +232,16 @@ const NAME: &str = "the parameter";
 fn join(stretches: &mut Vec<Stretch>, stretch: Stretch) {
     match stretches.pop() {
         Some(last) if last.verdict == stretch.verdict => {
-            let halved = last.widest(&stretch);
-            stretches.push(Stretch { low: last.low, halved, ..stretch });
+            let verdict = stretch.verdict.clone();
+            stretches.push(last.joined(stretch, verdict));
         }
         Some(last) if last.verdict.is_round_of(&stretch.verdict) => {
-            let halved = last.widest(&stretch);
-            join(stretches, Stretch { low: last.low, halved, ..stretch });
+            let verdict = stretch.verdict.clone();
+            join(stretches, last.joined(stretch, verdict));
         }
         Some(last) if stretch.verdict.is_round_of(&last.verdict) => {
-            let halved = last.widest(&stretch);
-            stretches.push(Stretch { high: stretch.high, halved, ..last });
+            let verdict = last.verdict.clone();
+            stretches.push(last.joined(stretch, verdict));
         }
         last => stretches.extend(last.into_iter().chain([stretch])),
     }
@@ -247,12 +266,13 @@ impl Work<'_> {
 
     /// Looks for a horseshoe where a stable orbit is proved: one does not exclude the other.
     fn look_beside(&self, stretch: &mut Stretch, known: &mut Vec<HSet>) -> Result<(), Error> {
-        let Stretch { low, high, verdict, .. } = stretch;
+        let Stretch { low, high, verdict, parts, .. } = stretch;
         let (Verdict::Attracted { beside, .. } | Verdict::Stable { beside, .. }) = verdict else { return Ok(()) };
         let middle = middle(low, high)?;
         let pair = self.pair.with(self.requested.over.key(), within(NAME, low, Exact::interval(low, high))?)?;
         if self.watch.goes_on() {
             *beside = self.horseshoe(&pair, [&middle, low, high], known, true)?;
+            *parts = beside.iter().map(|horseshoe| (high.clone(), horseshoe.clone())).collect();
         }
         Ok(())
     }
@@ -280,7 +300,7 @@ impl Work<'_> {
                 return self.decide([middle, high], halved + 1, known, found);
             }
         }
-        join(found, Stretch { low, high, verdict, halved });
+        join(found, Stretch::new([low, high], verdict, halved));
         Ok(())
     }
 

@@ -7,12 +7,13 @@ use num_traits::ToPrimitive;
 
 use impact_pair_document::{
     BaseDocument, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, Corner, CornersDocument, Decimal, EnteredDocument,
-    EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, NotNegative, PROGRAM, ParameterRange,
-    PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StripDocument, TRAP_SCHEMA, TrapDocument, UpTo,
-    WallWordsDocument, WordDocument, bounds,
+    EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, MovedDocument, NotNegative, PROGRAM,
+    ParameterRange, PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StripDocument, TRAP_SCHEMA,
+    TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
 };
 
-use crate::chaos::{Asymptotics, Chaos, Chord, HSet, Hyperbolic, HyperbolicSet, Strip, Trap, WallWords};
+use super::blocks::Word as Block;
+use crate::chaos::{Asymptotics, Chaos, Chord, HSet, Hyperbolic, HyperbolicSet, Moved, Strip, Trap, WallWords};
 use crate::exact::{Enclosure, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
 use crate::pair::Wall;
@@ -94,29 +95,34 @@ impl Chaos {
             scene_orbit: scene_orbit(self.asymptotics()),
             interrupted: self.is_interrupted(),
             bases: self.bases().iter().map(base).collect(),
-            words: self
-                .words()
-                .iter()
-                .map(|word| WordDocument {
-                    from: word.from as u32,
-                    to: word.to as u32,
-                    impacts: word.walls.len() as u32,
-                    half_cycles: word.half_cycles,
-                    flights: flights(&word.walls),
-                })
-                .collect(),
+            words: self.words().iter().map(word).collect(),
             exponent_seen: self.exponent(),
             hyperbolic: set.map(|set| set.as_ref().ok().map(hyperbolic)),
             left_out: left_out.collect(),
-            witness: self.strips().map(|strips| ChaosWitness { strips: strips.iter().map(strip).collect() }),
+            witness: Some(ChaosWitness { strips: self.strips().iter().map(strip).collect() }),
         }
     }
 }
 
-/// Returns the places of a strip.
-fn strip(strip: &Strip) -> StripDocument {
-    let places = |line: &[f64]| line.iter().map(|place| Decimal::printed(place.to_string())).collect();
-    StripDocument { left: places(&strip.left), right: places(&strip.right) }
+pub(super) fn word(word: &Block) -> WordDocument {
+    WordDocument {
+        from: word.from as u32,
+        to: word.to as u32,
+        impacts: word.walls.len() as u32,
+        half_cycles: word.half_cycles,
+        flights: flights(&word.walls),
+    }
+}
+
+/// Returns the sides of a strip, and how they move.
+pub(super) fn strip(strip: &Strip) -> StripDocument {
+    let side = |parts: &[f64]| parts.iter().map(|part| Decimal::printed(part.to_string())).collect();
+    let moved = |Moved { by, left, right }: &Moved| MovedDocument {
+        by: by.map(|power| power as u32),
+        left: side(left),
+        right: side(right),
+    };
+    StripDocument { left: side(&strip.left), right: side(&strip.right), moved: strip.moved.iter().map(moved).collect() }
 }
 
 /// Returns what a hyperbolic set is measured to be.

@@ -66,7 +66,7 @@ impl HorseshoeSettings {
 pub struct Chaos {
     bases: Vec<HSet>,
     words: Vec<Word>,
-    strips: Option<Vec<Strip>>,
+    strips: Vec<Strip>,
     depth: usize,
     boxes: u64,
     is_interrupted: bool,
@@ -106,7 +106,7 @@ impl Chaos {
         if let Some(problem) = problem(&bases) {
             return Err(Error::out_of_range(None, problem.to_owned()));
         }
-        let proved = Self::searched(&law, bases, request.limits(), pair.is_point(), watch);
+        let proved = Self::proved(&law, bases, request.limits(), watch);
         let horseshoe = if proved.entropy() > 0.0 { proved.bases() } else { &[] }; // exact: none is claimed where it is 0
         let asymptotics = Asymptotics::of(pair, start, horseshoe, &Silent(watch))?;
         let exponent = orbit.as_ref().map(|orbit| orbit.exponent);
@@ -115,15 +115,10 @@ impl Chaos {
         Ok(Self { exponent, attractor, asymptotics, is_interrupted: watch.is_stopped(), ..proved })
     }
 
-    /// Proves the words between these h-sets, and bounds of the entropy.
+    /// Proves the words between these h-sets, each by a strip, and bounds of the entropy.
     pub(super) fn proved(law: &Law, bases: Vec<HSet>, limits: (usize, u64), watch: &dyn Watch) -> Self {
-        Self::searched(law, bases, limits, false, watch)
-    }
-
-    /// The same; if `witnessed` only words that are proved again, each by a strip.
-    fn searched(law: &Law, bases: Vec<HSet>, limits: (usize, u64), witnessed: bool, watch: &dyn Watch) -> Self {
         let Tried { mut search, depth, is_stopped: is_interrupted } = deepest(law, &bases, limits, watch);
-        let strips = witnessed.then(|| search.keep_witnessed(watch));
+        let strips = search.keep_witnessed(watch);
         let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
@@ -149,9 +144,9 @@ impl Chaos {
         &self.words
     }
 
-    /// A strip for each word, in their order, by which it can be proved again; `None` where the pair has intervals, as no strip moves with them.
-    pub fn strips(&self) -> Option<&[Strip]> {
-        self.strips.as_deref()
+    /// A strip for each word, in their order, by which it can be proved again.
+    pub fn strips(&self) -> &[Strip] {
+        &self.strips
     }
 
     /// Number of impacts up to which all words were searched for.
@@ -207,12 +202,23 @@ impl Chaos {
 }
 
 /// A horseshoe in the impact map of each pair of a law.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Horseshoe {
     /// Lower bounds of the topological entropy per impact, and per forcing period.
     pub entropy: [f64; 2],
     /// The h-sets that it was proved with.
     pub bases: Vec<HSet>,
+    /// Its words, and a strip for each of them.
+    pub words: Vec<Word>,
+    /// The strips, in the order of the words.
+    pub strips: Vec<Strip>,
+}
+
+/// Two are equal if the same is proved, by whatever words.
+impl PartialEq for Horseshoe {
+    fn eq(&self, other: &Self) -> bool {
+        self.entropy == other.entropy && self.bases == other.bases
+    }
 }
 
 impl Horseshoe {
@@ -221,9 +227,10 @@ impl Horseshoe {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
-        let chaos = Chaos::proved(law, bases, (depth, u64::MAX), watch);
         // exact: none is proved where it is 0
-        (chaos.entropy() > 0.0).then_some(Self { entropy: chaos.entropy, bases: chaos.bases })
+        let chaos = Chaos::proved(law, bases, (depth, u64::MAX), watch);
+        let Chaos { entropy, bases, words, strips, .. } = chaos;
+        (entropy[0] > 0.0).then_some(Self { entropy, bases, words, strips })
     }
 
     /// Proves a horseshoe as [`of`](Self::of) does, if few boxes are enough. Lemmas D9-D11
@@ -233,12 +240,13 @@ impl Horseshoe {
         }
         let most = (depth.min(QUICK_LIMITS.0), QUICK_LIMITS.1); // proposes: how far to look
         let tried = |&making: &_| {
-            let tried = Tried::new(law, &bases, making).deepened(most, watch);
-            let found = entropies(&tried.search);
-            (found[0] > 0.0).then_some(found) // exact: none is proved where it is 0
+            let mut search = Tried::new(law, &bases, making).deepened(most, watch).search;
+            let strips = search.keep_witnessed(watch);
+            let words = search.words.iter().map(Word::of).collect();
+            let entropy = entropies(&search);
+            (entropy[0] > 0.0).then(|| Self { entropy, bases: bases.clone(), words, strips }) // exact: none is proved where it is 0
         };
-        let entropy = MAKINGS.iter().rev().find_map(tried)?;
-        Some(Self { entropy, bases })
+        MAKINGS.iter().rev().find_map(tried)
     }
 }
 

@@ -67,7 +67,7 @@ pub use quad::{Chord, State};
 pub use refusal::NoTrap;
 pub use region::Trap;
 pub use stable::stable_orbits;
-pub use strips::Strip;
+pub use strips::{Moved, Strip};
 pub use tried::MOST_DEPTH;
 pub use windows::{
     FoundWindow, MOST_WINDOW_IMPACTS, UnprovedWindow, WINDOW_PARAMETERS, WindowSettings, Windows, is_window_range,

@@ -421,7 +421,7 @@ fn verdicts_of_a_stretch_hold_for_its_values() {
         assert_eq!(format!("amplitude={}..{}", ends[0].0, ends[1].0), over);
         for (value, verdict) in &ends {
             match verdict {
-                Verdict::Horseshoe(Horseshoe { entropy, bases }) => {
+                Verdict::Horseshoe(Horseshoe { entropy, bases, .. }) => {
                     let law = Law::of(scene(value).pair()).unwrap();
                     let chaos = Chaos::proved(&law, bases.clone(), (5, u64::MAX), &Unwatched);
                     assert!(entropy[0] > 0.1 && chaos.entropy() >= 0.9 * entropy[0], "{value} {}", chaos.entropy());

@@ -148,6 +148,25 @@ pub struct StripDocument {
     /// Those of the right side.
     #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 32)))]
     pub right: Vec<Decimal>,
+    /// How both move with the parameters, where these are intervals.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    #[cfg_attr(feature = "schemas", schemars(length(max = 32)))]
+    pub moved: Vec<MovedDocument>,
+}
+
+/// What is added to both sides of a strip: a power of `D = d/A` times one of `e`, each of them from -1 to 1 from the lower to the upper end of its
+/// interval, times a polynomial of `eta` for each side.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct MovedDocument {
+    /// The exponents of `D` and of `e`.
+    pub by: [u32; 2],
+    /// The coefficients for the left side, from the constant on.
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 32)))]
+    pub left: Vec<Decimal>,
+    /// Those for the right side.
+    #[cfg_attr(feature = "schemas", schemars(length(min = 1, max = 32)))]
+    pub right: Vec<Decimal>,
 }
 
 /// A word that is left out of a hyperbolic set.
@@ -301,6 +320,23 @@ pub struct StretchDocument {
     /// The stable periodic orbit; with the verdict `stable` it or its mirror image.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub period: Option<PeriodDocument>,
+    /// What `check` proves the horseshoe with: the parts of the subinterval, in their order; it claims nothing.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub witness: Vec<StretchWitness>,
+}
+
+/// A part of a subinterval, from the end of the part before on: words of its horseshoe, and a strip for each of them, in their order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct StretchWitness {
+    /// Upper end of the part.
+    pub high: Written,
+    /// The words.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub words: Vec<WordDocument>,
+    /// The strips.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub strips: Vec<StripDocument>,
 }
 
 /// Lower bounds of entropy, in nats, rounded down.

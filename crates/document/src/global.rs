@@ -3,7 +3,9 @@
 use impact_pair_model::vocabulary::{Class, ComponentKind, OpenReason};
 use serde::{Deserialize, Serialize};
 
-use super::chaos::{BaseDocument, Depth, EntropyDocument};
+#[cfg(feature = "schemas")]
+use super::chaos::MOST_WORDS;
+use super::chaos::{BaseDocument, Depth, EntropyDocument, StripDocument, WordDocument};
 use super::number::{Bounds, Decimal};
 use super::outcome::counted;
 use super::periodic::PeriodicOrbitDocument;
@@ -119,6 +121,22 @@ pub struct ProvedHorseshoeDocument {
     pub entropy: EntropyDocument,
     /// The h-sets of its words, as `chaos --bases` reads them.
     pub bases: Vec<BaseDocument>,
+    /// What `check` proves it with; it claims nothing.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub witness: Option<HorseshoeWitness>,
+}
+
+/// Words of a horseshoe, and a strip for each of them, in their order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct HorseshoeWitness {
+    /// The words.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub words: Vec<WordDocument>,
+    /// The strips.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub strips: Vec<StripDocument>,
 }
 
 /// Whom a statement is about.

@@ -1,12 +1,15 @@
 //! The JSON of a range of a parameter in cells.
 
-use impact_pair_document::{CHAOS_CELLS_SCHEMA, ChaosCellsDocument, PROGRAM, SceneDocument, StretchDocument, UpTo};
+use impact_pair_document::{
+    CHAOS_CELLS_SCHEMA, ChaosCellsDocument, PROGRAM, SceneDocument, StretchDocument, StretchWitness, UpTo,
+};
 
 use super::shares::shares;
 use super::{Cells, RangeSettings, Stretch, Verdict};
 use crate::Scene;
-use crate::chaos::document::{base, entropy, period};
+use crate::chaos::document::{base, entropy, period, strip, word};
 use crate::chaos::horseshoe::Horseshoe;
+use crate::exact::Exact;
 
 impl Cells {
     /// Returns the verdicts over a range of a parameter as a document.
@@ -27,6 +30,15 @@ impl Cells {
     }
 }
 
+/// The words that the horseshoe of a part of a subinterval is proved with.
+fn part(high: &Exact, horseshoe: &Horseshoe) -> StretchWitness {
+    StretchWitness {
+        high: high.into(),
+        words: horseshoe.words.iter().map(word).collect(),
+        strips: horseshoe.strips.iter().map(strip).collect(),
+    }
+}
+
 fn stretch(stretch: &Stretch) -> StretchDocument {
     let plain = StretchDocument {
         low: (&stretch.low).into(),
@@ -35,9 +47,10 @@ fn stretch(stretch: &Stretch) -> StretchDocument {
         entropy: None,
         bases: Vec::new(),
         period: None,
+        witness: stretch.parts.iter().map(|(high, horseshoe)| part(high, horseshoe)).collect(),
     };
     let proved = match stretch.verdict.horseshoe() {
-        Some(Horseshoe { entropy: bounds, bases }) => {
+        Some(Horseshoe { entropy: bounds, bases, .. }) => {
             StretchDocument { entropy: Some(entropy(*bounds)), bases: bases.iter().map(base).collect(), ..plain }
         }
         None => plain,

@@ -197,7 +197,7 @@ impl Walk<'_> {
         match found {
             Some(horseshoe) => {
                 self.missed = 0; // proposes: whether to go on
-                self.passed.push(Stretch { verdict: Verdict::Horseshoe(horseshoe), ..stretch });
+                self.passed.push(stretch.with(Verdict::Horseshoe(horseshoe)));
             }
             None if is_halved => {
                 let middle = middle(&stretch.low, &stretch.high)?;

@@ -33,7 +33,7 @@ fn apart(some: &[HSet], others: &[HSet]) -> f64 {
 }
 
 fn stretch(low: &str, high: &str, verdict: Verdict) -> Stretch {
-    Stretch { low: low.parse().unwrap(), high: high.parse().unwrap(), verdict, halved: 0 }
+    Stretch::new([low, high].map(|end| end.parse().unwrap()), verdict, 0)
 }
 
 fn stable(word: &str) -> Verdict {

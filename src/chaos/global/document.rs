@@ -1,13 +1,13 @@
 //! The JSON of a global analysis.
 
 use impact_pair_document::{
-    BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, PROGRAM,
-    PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, UpTo, bounds,
+    BasinDocument, BasinsDocument, Bounds, ComponentDocument, Decimal, GLOBAL_SCHEMA, GlobalDocument, HorseshoeWitness,
+    PROGRAM, PeriodicOrbitDocument, ProvedHorseshoeDocument, SceneDocument, UpTo, bounds,
 };
 
 use super::known::spectral_radius;
 use super::{Basin, Class, Global, GlobalSettings, Kind, Recurrence};
-use crate::chaos::document::{base, entropy};
+use crate::chaos::document::{base, entropy, strip, word};
 use crate::chaos::horseshoe::Horseshoe;
 use crate::exact::{Enclosure, decimal_f64};
 use crate::units::Units;
@@ -84,7 +84,14 @@ fn component(found: &Recurrence, settings: &GlobalSettings) -> Result<ComponentD
 /// Returns the document of a horseshoe of words of at most N impacts.
 pub(super) fn horseshoe(found: &Horseshoe, depth: usize) -> ProvedHorseshoeDocument {
     let bases = found.bases.iter().map(base).collect();
-    ProvedHorseshoeDocument { depth: UpTo::counted(depth), entropy: entropy(found.entropy), bases }
+    let words = found.words.iter().map(word).collect();
+    let witness = HorseshoeWitness { words, strips: found.strips.iter().map(strip).collect() };
+    ProvedHorseshoeDocument {
+        depth: UpTo::counted(depth),
+        entropy: entropy(found.entropy),
+        bases,
+        witness: Some(witness),
+    }
 }
 
 /// Bounds of the spectral radius, by the bounds of the eigenvalues as they are printed: these hold it, whoever computes it from them.

@@ -1,6 +1,7 @@
 //! That a strip is mapped across an h-set, set by set: Lemma D34 of `docs/proofs/chaos.md#D34`.
 
-use super::{Heights, Strip, turns, value};
+use super::curve::{Heights, Part};
+use super::{Sides, turns};
 use crate::chaos::flights::{Flights, Landing, is_positive};
 use crate::chaos::frame::{Frame, cross};
 use crate::chaos::guess::Guess;
@@ -17,6 +18,8 @@ const MOST_FLIGHTS: usize = 1 << 18;
 const LEAST_RADIUS: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 10;
 const HEIGHT_HALVINGS: u32 = 8;
+/// Halvings of an interval of a parameter.
+const PARAMETER_HALVINGS: u32 = 10;
 /// In a longer row parallelograms have a side along the sides of the strip, if that makes them small: this direction is known well after few flights.
 /// In a shorter one they have a side in the direction that the flights to come contract. The other one is tried next.
 const LONG_ROW: usize = 64;
@@ -33,6 +36,8 @@ const THIN: f64 = 0.02;
 /// How long images of parts of a side may be, those of half the strip being 1: what is tried first, and last, and one after the other.
 const SIDE_ROOM: [f64; 2] = [1.0 / 64.0, 1.0 / (1 << 20) as f64]; // exact: powers of two
 const LESS_ROOM: f64 = 0.25;
+/// Parts of parameters that are narrower, for their size, are not halved: nothing is gained.
+const NARROW: f64 = 1e-9;
 
 /// A part of a strip from side to side: a middle and a half breadth, that of the strip being 1. A side has no breadth.
 #[derive(Clone, Copy, Debug)]
@@ -61,15 +66,24 @@ struct Step {
     axes: [State; 2],
 }
 
-/// The proof of a word by a strip.
-pub(super) struct Cover<'c> {
-    pub law: &'c Law,
-    pub guess: &'c Guess,
+/// A word, and what it leads across.
+#[derive(Clone, Copy)]
+pub(super) struct Covering<'c> {
     /// The h-set that is covered.
     pub base: &'c HSet,
     /// Coordinates of the h-set it comes from, and of the one that is covered.
     pub frames: [&'c Frame; 2],
     pub path: &'c Path,
+}
+
+/// The proof of a word by a strip for some values of the parameters.
+struct Cover<'c> {
+    law: Law,
+    guess: Guess,
+    sides: Sides,
+    word: Covering<'c>,
+    /// Flights so far, of all values.
+    flights: usize,
 }
 
 /// Sets in a row from bottom to top after some impacts of a word, to be followed on.
@@ -82,14 +96,17 @@ struct Row {
 #[derive(Clone, Copy)]
 struct Set {
     quad: Quad,
+    /// How `e` and `D` displace the states, each by its radius.
+    moved: [State; 2],
     tangent: State,
 }
 
 /// The images of a set, and directions along the strip and across.
 #[derive(Clone, Copy)]
 struct Flown {
-    landing: Landing,
+    landing: Landing<2>,
     axes: [State; 2],
+    moved: [State; 2],
     tangent: State,
 }
 
@@ -105,32 +122,59 @@ impl Band {
     }
 }
 
-impl Cover<'_> {
-    /// Whether all states of the strip have the word's flights and land between bottom and top of the h-set, and its sides beyond its edges: the
-    /// left one beyond the left edge if the image `rises`, else beyond the right one. Lemma D34
-    pub fn is_proved(&self, strip: &Strip, rises: bool) -> bool {
+impl Covering<'_> {
+    /// Whether for all parameters all states of the strip have the word's flights and land between bottom and top of the h-set, and its sides beyond its
+    /// edges: the left one beyond the left edge if the image `rises`, else beyond the right one. Lemma D34
+    pub fn is_proved(&self, law: &Law, strip: &Sides, rises: bool) -> bool {
         let mut flights = 0;
-        let mut is_side = |at: f64, goal: Goal| {
-            let mut room = SIDE_ROOM[0];
-            while room >= SIDE_ROOM[1] {
-                if self.is_mapped(strip, Band { at, radius: 0.0, room }, goal, &mut flights) {
-                    return true;
-                }
-                room *= LESS_ROOM;
+        let mut open = vec![(Part::ALL, 0)];
+        while let Some((part, halvings)) = open.pop() {
+            let (own, shift) = part.of(law);
+            let sides = Sides { left: strip.left.on(shift), right: strip.right.on(shift) };
+            let mut cover = Cover { law: own, guess: Guess::new(&own), sides, word: *self, flights };
+            let is_there = cover.is_proved(rises);
+            flights = cover.flights;
+            if is_there {
+                continue;
             }
-            false
-        };
-        let [left, right] = if rises { [Goal::Left, Goal::Right] } else { [Goal::Right, Goal::Left] };
-        if !is_side(-1.0, left) || !is_side(1.0, right) {
-            return false;
+            let widths = [own.gap, own.restitution].map(|all| all.rad() / all.mid());
+            let widest = usize::from(widths[1] > widths[0]); // proposes: any parts will do
+            let is_narrow = widths[widest] < NARROW || halvings == PARAMETER_HALVINGS;
+            // proposes: when to give up, nothing is certified
+            if is_narrow || flights > MOST_FLIGHTS {
+                return false;
+            }
+            open.extend(part.halves(widest).map(|half| (half, halvings + 1)));
         }
+        true
+    }
+}
+
+impl Cover<'_> {
+    fn is_proved(&mut self, rises: bool) -> bool {
+        let [left, right] = if rises { [Goal::Left, Goal::Right] } else { [Goal::Right, Goal::Left] };
+        self.is_side_mapped(-1.0, left) && self.is_side_mapped(1.0, right) && self.is_between()
+    }
+
+    fn is_side_mapped(&mut self, at: f64, goal: Goal) -> bool {
+        let mut room = SIDE_ROOM[0];
+        while room >= SIDE_ROOM[1] {
+            if self.is_mapped(Band { at, radius: 0.0, room }, goal) {
+                return true;
+            }
+            room *= LESS_ROOM;
+        }
+        false
+    }
+
+    fn is_between(&mut self) -> bool {
         let mut bands = vec![Band { at: 0.0, radius: 1.0, room: 0.0 }];
         while let Some(band) = bands.pop() {
-            if self.is_mapped(strip, band, Goal::Between, &mut flights) {
+            if self.is_mapped(band, Goal::Between) {
                 continue;
             }
             // proposes: when to give up, nothing is certified
-            if flights > MOST_FLIGHTS || band.radius < LEAST_RADIUS {
+            if self.flights > MOST_FLIGHTS || band.radius < LEAST_RADIUS {
                 return false;
             }
             bands.extend(band.halves());
@@ -139,12 +183,13 @@ impl Cover<'_> {
     }
 
     /// Equally high parts of the strip in which its sides are nearly straight; `None` if there would be too many.
-    fn slices(&self, strip: &Strip, band: &Band) -> Option<Vec<Heights>> {
+    fn slices(&self, band: &Band) -> Option<Vec<Heights>> {
+        let Sides { left, right } = &self.sides;
         let mut slices = vec![Heights::ALL];
         loop {
             let is_straight = |slice: &Heights| {
-                let [a, b] = [&strip.left, &strip.right].map(|curve| value(curve, slice.all()).mid());
-                let bulge = slice.bulge(&strip.left).max(slice.bulge(&strip.right)); // proposes: how many slices
+                let [a, b] = [left, right].map(|curve| curve.at(slice.all()).mid());
+                let bulge = left.bulge(slice).max(right.bulge(slice)); // proposes: how many slices
                 bulge <= STRAIGHT * band.radius.max(band.room).min(BROAD) * (b - a) // proposes: how many slices
             };
             if slices.iter().all(is_straight) {
@@ -159,14 +204,14 @@ impl Cover<'_> {
 
     /// Whether all states of a band are proved to land where they are to be. A band is halved after some flights where that is needed; a side is not, as it
     /// is not known where it lies within its sets.
-    fn is_mapped(&self, strip: &Strip, band: Band, goal: Goal, flights: &mut usize) -> bool {
-        let Some(slices) = self.slices(strip, &band) else { return false };
-        let sets = slices.iter().map(|slice| self.cell(strip, slice, &band)).collect();
+    fn is_mapped(&mut self, band: Band, goal: Goal) -> bool {
+        let Some(slices) = self.slices(&band) else { return false };
+        let sets = slices.iter().map(|slice| self.cell(slice, &band)).collect();
         let mut open = vec![(Row { impacts: 0, sets }, 0)];
-        let room = self.breadth(strip, &slices[slices.len() / 2]).map(|x| band.room * x);
+        let room = self.breadth(&slices[slices.len() / 2]).map(|x| band.room * x);
         while let Some((sets, halvings)) = open.pop() {
-            let Err(Row { impacts, sets }) = self.follow(sets, (goal, room), flights) else { continue };
-            if impacts == 0 || goal != Goal::Between || halvings == LATER_HALVINGS || *flights > MOST_FLIGHTS {
+            let Err(Row { impacts, sets }) = self.follow(sets, (goal, room)) else { continue };
+            if impacts == 0 || goal != Goal::Between || halvings == LATER_HALVINGS || self.flights > MOST_FLIGHTS {
                 return false;
             }
             for half in [0.5, -0.5] {
@@ -179,23 +224,18 @@ impl Cover<'_> {
 
     /// Proves that all states of a row have the rest of the word's flights and land where they are to be; or else returns the row after the last impact
     /// at which it is known.
-    fn follow(
-        &self,
-        Row { mut impacts, mut sets }: Row,
-        (goal, room): (Goal, State),
-        flights: &mut usize,
-    ) -> Result<(), Row> {
+    fn follow(&mut self, Row { mut impacts, mut sets }: Row, (goal, room): (Goal, State)) -> Result<(), Row> {
         let steps = self.seen(impacts, &sets[sets.len() / 2].quad, room);
-        if steps.len() + impacts < self.path.sides.len() {
+        if steps.len() + impacts < self.word.path.sides.len() {
             return Err(Row { impacts, sets });
         }
         for step in &steps {
-            let is_last = impacts + 1 == self.path.sides.len();
+            let is_last = impacts + 1 == self.word.path.sides.len();
             let goal = is_last.then_some(goal);
             let is_long = sets.len() > LONG_ROW;
             let mut all = Vec::with_capacity(sets.len());
             for set in &sets {
-                let Some(flown) = self.flown(impacts, set, (step, is_long), goal, flights) else {
+                let Some(flown) = self.flown(impacts, set, (step, is_long), goal) else {
                     return Err(Row { impacts, sets });
                 };
                 all.extend(flown);
@@ -212,24 +252,29 @@ impl Cover<'_> {
 
     /// The landings of the parts of a set; `None` where they are not known, or their images too long or too thick, so that it is better cut from side to side.
     fn flown(
-        &self,
+        &mut self,
         impacts: usize,
         set: &Set,
         (step, is_long): (&Step, bool),
         goal: Option<Goal>,
-        flights: &mut usize,
     ) -> Option<Vec<Flown>> {
-        let side = self.path.sides[impacts];
+        let side = self.word.path.sides[impacts];
         let mut all = Vec::new();
         let mut open = vec![(*set, 0)];
         while let Some((set, halvings)) = open.pop() {
-            *flights += 1; // exact: a count
+            self.flights += 1; // exact: a count
             let quad = &set.quad;
             let flown = self.guess.map(quad.centre).filter(|image| image.side == side).and_then(|image| {
-                let landing = Flights::new(self.law, quad).land(side, image.state[0] - side.shift())?;
+                let landing = Flights::moved(&self.law, quad, set.moved).land(side, image.state[0] - side.shift())?;
+                let [by_gap, by_restitution] = image.moved;
+                let moved = [0, 1].map(|k| {
+                    let [u, w] = applied(image.jacobian, set.moved[k]);
+                    let [v, x] = [by_restitution, by_gap][k];
+                    [u + v, w + x]
+                });
                 let tangent = unit(applied(image.jacobian, set.tangent));
                 let [expanding, contracted] = step.axes;
-                let along = |across: State| Flown { landing, axes: [expanding, across], tangent };
+                let along = |across: State| Flown { landing, axes: [expanding, across], moved, tangent };
                 let known = if is_long { [tangent, contracted] } else { [contracted, tangent] };
                 let is_good = |flown: &Flown| match goal {
                     Some(goal) => self.is_at(&landing, goal),
@@ -241,7 +286,7 @@ impl Cover<'_> {
                 Some(flown) => all.push(flown),
                 None if halvings < HEIGHT_HALVINGS
                     && length(quad.sides[1]) > 0.25 * length(quad.sides[0])
-                    && *flights <= MOST_FLIGHTS =>
+                    && self.flights <= MOST_FLIGHTS =>
                 {
                     open.extend([0.5, -0.5].map(|half| (set.part([0.0, half], [1.0, 0.5]), halvings + 1)));
                 }
@@ -252,32 +297,42 @@ impl Cover<'_> {
     }
 
     /// About half of the strip from side to side, at some heights.
-    fn breadth(&self, strip: &Strip, slice: &Heights) -> State {
-        let [a, b] = [&strip.left, &strip.right].map(|curve| value(curve, slice.all()).mid());
-        self.frames[0].along.map(|x| 0.5 * (b - a) * x)
+    fn breadth(&self, slice: &Heights) -> State {
+        let [a, b] = [&self.sides.left, &self.sides.right].map(|curve| curve.at(slice.all()).mid());
+        self.word.frames[0].along.map(|x| 0.5 * (b - a) * x)
     }
 
-    /// Holds the states of a band at some heights.
-    fn cell(&self, strip: &Strip, slice: &Heights, band: &Band) -> Set {
-        let bulge = slice.bulge(&strip.left).max(slice.bulge(&strip.right)); // D34: lines between both are between these
+    /// Holds the states of a band at some heights, for all parameters.
+    fn cell(&self, slice: &Heights, band: &Band) -> Set {
+        let Sides { left, right } = &self.sides;
+        let bulge = left.bulge(slice).max(right.bulge(slice)); // D34: lines between both are between these
+        let parts = |at: f64| [0.5 * (1.0 - at), 0.5 * (1.0 + at)]; // exact: dyadic
+        let between = |at: f64, [a, b]: [f64; 2]| parts(at)[0] * a + parts(at)[1] * b;
+        let [a, b] = [left, right].map(|curve| curve.moved(0.5 * (slice.low + slice.high)));
+        let by = [0, 1].map(|k| between(band.at, [a[k], b[k]]));
         let place = |at: f64, height: f64| {
-            let [a, b] = [&strip.left, &strip.right].map(|curve| value(curve, Ball::exact(height)));
-            (Ball::exact(0.5 * (1.0 - at)) * a + Ball::exact(0.5 * (1.0 + at)) * b).widened(bulge) // exact: dyadic
+            let [a, b] = [left, right].map(|curve| curve.at(Ball::exact(height)).widened(curve.rest(height, by)));
+            let [p, q] = parts(at).map(Ball::exact);
+            (p * a + q * b).widened(bulge)
         };
+        let frame = self.word.frames[0];
         let corner = |at: f64, outward: f64, height: f64| {
-            self.frames[0].state(Ball::exact(bound(place(at, height), outward)), Ball::exact(height))
+            frame.state(Ball::exact(bound(place(at, height), outward)), Ball::exact(height))
         };
         let edge = |at: f64, outward: f64| [slice.low, slice.high].map(|height| corner(at, outward, height));
         let corners = [edge(band.at - band.radius, -1.0), edge(band.at + band.radius, 1.0)];
         let chord = |[bottom, top]: [[Ball; 2]; 2]| Chord { bottom: bottom.map(Ball::mid), top: top.map(Ball::mid) };
         let quad = Quad::between(&chord(corners[0]), &chord(corners[1]));
+        // By `e` and by `D`.
+        let moved = [by[1], by[0]].map(|by| frame.along.map(|x| by * x));
+        let rounded = |axis: usize| UNIT * (moved[0][axis].abs() + moved[1][axis].abs()) + TINY;
         let error = |axis: usize| corners.as_flattened().iter().map(|corner| corner[axis].rad()).fold(0.0, f64::max); // D34: the farthest corner
-        let floor = quad.floor - error(1);
-        let quad =
-            Quad { slack: [0, 1].map(|axis| up(quad.slack[axis] + error(axis))), floor: floor.next_down(), ..quad };
-        let slope = (place(band.at, slice.high).mid() - place(band.at, slice.low).mid()) / (slice.high - slice.low);
-        let Frame { along, across, .. } = self.frames[0];
-        Set { quad, tangent: [0, 1].map(|i| slope * along[i] + across[i]) }
+        let slack = [0, 1].map(|axis| up(quad.slack[axis] + error(axis) + rounded(axis)));
+        let down = up(error(1) + rounded(1) + moved[0][1].abs() + moved[1][1].abs());
+        let quad = Quad { slack, floor: (quad.floor - down).next_down(), ..quad };
+        let middle = |height: f64| place(band.at, height).mid();
+        let slope = (middle(slice.high) - middle(slice.low)) / (slice.high - slice.low);
+        Set { quad, moved, tangent: [0, 1].map(|i| slope * frame.along[i] + frame.across[i]) }
     }
 
     /// The flights of a set's centre from there on, as far as they are the word's, in floating point.
@@ -286,7 +341,7 @@ impl Cover<'_> {
         let (mut state, mut expanding) = (quad.centre, along);
         let mut jacobians = Vec::new();
         let mut steps: Vec<Step> = Vec::new();
-        for side in &self.path.sides[impacts..] {
+        for side in &self.word.path.sides[impacts..] {
             let Some(image) = self.guess.map(state).filter(|image| image.side == *side) else { break };
             state = image.state;
             expanding = unit(applied(image.jacobian, expanding));
@@ -295,7 +350,7 @@ impl Cover<'_> {
             steps.push(Step { room: length(room), axes: [expanding; 2] });
         }
         // From the last impact back.
-        let mut contracted = unit(self.frames[1].across);
+        let mut contracted = unit(self.word.frames[1].across);
         for (step, [[a, b], [c, d]]) in steps.iter_mut().zip(jacobians).rev() {
             step.axes[1] = contracted;
             let before = unit([d * contracted[0] - b * contracted[1], a * contracted[1] - c * contracted[0]]);
@@ -306,13 +361,14 @@ impl Cover<'_> {
     }
 
     /// Whether all images are where they are to be.
-    fn is_at(&self, landing: &Landing, goal: Goal) -> bool {
-        let turns = turns(self.path);
+    fn is_at(&self, landing: &Landing<2>, goal: Goal) -> bool {
+        let turns = turns(self.word.path);
         // Positive on the left of the way from one corner to another, whole forcing periods later.
         let beside = |from: State, to: State| {
-            landing.along(left(edge(from, to)), [Ball::exact(from[0]) + Ball::exact(turns), Ball::exact(from[1])])
+            let corner = [Ball::exact(from[0]) + Ball::exact(turns), Ball::exact(from[1])];
+            landing.beside(left(edge(from, to)), corner, [[0.0; 2]; 2])
         };
-        let HSet { left, right } = self.base;
+        let HSet { left, right } = self.word.base;
         match goal {
             Goal::Between => {
                 is_positive(beside(left.bottom, right.bottom)) && is_positive(-beside(left.top, right.top))
@@ -362,11 +418,12 @@ fn around(all: &[Flown]) -> Option<(Set, [f64; 2])> {
     let middle = |a: Ball, b: Ball| 0.5 * (a.mid() + b.mid());
     let centre = [middle(first.landing.phase, last.landing.phase), middle(first.landing.speed, last.landing.speed)];
     let [expanding, contracted] = [0, 1].map(|k| [0, 1].map(|i| 0.5 * (first.axes[k][i] + last.axes[k][i])));
+    let moved = [0, 1].map(|k| [0, 1].map(|i| 0.5 * (first.moved[k][i] + last.moved[k][i])));
     let [g, h] = [expanding, contracted].map(|direction| direction.map(Ball::exact));
     let area = cross(g, h);
     let reach = |normal: [Ball; 2]| {
         let by = |flown: &Flown| {
-            let by = flown.landing.along(normal, centre.map(Ball::exact)).checked_div(area)?.mag();
+            let by = flown.landing.beside(normal, centre.map(Ball::exact), moved).checked_div(area)?.mag();
             by.is_finite().then_some(by)
         };
         all.iter().map(by).try_fold(0.0, |most: f64, by| Some(most.max(by?))) // D34: the farthest
@@ -375,11 +432,12 @@ fn around(all: &[Flown]) -> Option<(Set, [f64; 2])> {
     let sides = [expanding.map(|x| along * x), contracted.map(|x| across * x)];
     let size = [0, 1].map(|i| up(sides[0][i].abs() + sides[1][i].abs()));
     let slack = size.map(|size| up(4.0 * UNIT * size + TINY)); // D34: two products, rounded
-    let floor = (centre[1] - up(size[1] + slack[1])).next_down().max(0.0); // D24: they have landed, so no speed is negative
+    let down = up(size[1] + slack[1] + moved[0][1].abs() + moved[1][1].abs());
+    let floor = (centre[1] - down).next_down().max(0.0); // D24: they have landed, so no speed is negative
     let is_known = size.iter().all(|size| size.is_finite());
     let quad = Quad { centre, sides, twist: [0.0; 2], slack, floor };
     let tangent = [0, 1].map(|i| 0.5 * (first.tangent[i] + last.tangent[i]));
-    is_known.then_some((Set { quad, tangent }, [along, across]))
+    is_known.then_some((Set { quad, moved, tangent }, [along, across]))
 }
 
 #[cfg(test)]

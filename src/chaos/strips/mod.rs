@@ -5,23 +5,22 @@
 //! Floating point proposes strips ([`find`]), intervals prove them ([`cover`]).
 
 mod cover;
+mod curve;
 mod find;
+
+use std::iter;
 
 use super::flights::is_positive;
 use super::frame::Frame;
 use super::guess::Guess;
 use super::law::{Law, Side};
 use super::words::{HSet, Path};
-use crate::number::{Ball, up};
+use crate::number::Ball;
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
-use cover::Cover;
+use cover::Covering;
+use curve::{Curve, TALL};
 use find::Finder;
-
-/// A little more than half of the height of an h-set, in its coordinates: an exact number, and so are its fractions by powers of two.
-const TALL: f64 = 1.0 + 1.0 / (1_u64 << 30) as f64; // exact: a power of two
-/// Halvings of the height within which two strips are told apart.
-const APART_HALVINGS: u32 = 12;
 
 /// The part of an h-set between two curves from below to above it, in the coordinates of the h-set: from -1 to 1 along it and across.
 ///
@@ -34,68 +33,42 @@ pub struct Strip {
     pub left: Vec<f64>,
     /// Those of the right curve.
     pub right: Vec<f64>,
+    /// How both move with the parameters, if these are intervals.
+    pub moved: Vec<Moved>,
 }
 
-/// Holds the value of a polynomial at a height.
-fn value(curve: &[f64], height: Ball) -> Ball {
-    curve.iter().rev().fold(Ball::exact(0.0), |sum, &part| sum * height + Ball::exact(part))
+/// A power of `D = d/A`, and one of `e`, each from -1 to 1 over its interval, times a polynomial of the height for each curve of a strip.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// The exponents of `D` and of `e`.
+    pub by: [usize; 2],
+    /// What is added to the place of the left curve.
+    pub left: Vec<f64>,
+    /// What is added to that of the right curve.
+    pub right: Vec<f64>,
 }
 
-/// Holds its second derivative there.
-fn bend(curve: &[f64], height: Ball) -> Ball {
-    let weighted = |(k, part): (usize, &f64)| Ball::exact((k * (k - 1)) as f64) * Ball::exact(*part); // exact: small numbers
-    curve.iter().enumerate().skip(2).map(weighted).rev().fold(Ball::exact(0.0), |sum, part| sum * height + part)
-}
-
-/// Heights of a strip from one to another: dyadic fractions of its whole height.
-#[derive(Clone, Copy, Debug)]
-struct Heights {
-    low: f64,
-    high: f64,
-}
-
-impl Heights {
-    const ALL: Self = Self { low: -TALL, high: TALL };
-
-    fn all(&self) -> Ball {
-        Ball::new(0.5 * (self.low + self.high), up(0.5 * (self.high - self.low))) // D34: dyadic fractions of the whole height
-    }
-
-    fn halves(&self) -> [Self; 2] {
-        let middle = 0.5 * (self.low + self.high); // D34: exact
-        [Self { low: self.low, high: middle }, Self { low: middle, high: self.high }]
-    }
-
-    /// Bounds how far a curve is from the straight line between its ends at these heights.
-    fn bulge(&self, curve: &[f64]) -> f64 {
-        let height = up(self.high - self.low);
-        up(0.125 * bend(curve, self.all()).mag() * height * height)
-    }
+/// Both curves of a strip.
+struct Sides {
+    left: Curve,
+    right: Curve,
 }
 
 impl Strip {
-    /// Whether one curve is proved to be on the left of another one at all heights.
-    fn is_left(one: &[f64], two: &[f64]) -> bool {
-        let length = one.len().max(two.len()); // exact: of two lengths
-        let part = |curve: &[f64], k: usize| Ball::exact(curve.get(k).copied().unwrap_or(0.0)); // exact: none is 0
-        let away: Vec<Ball> = (0..length).map(|k| part(two, k) - part(one, k)).collect();
-        let at = |height: Ball| away.iter().rev().fold(Ball::exact(0.0), |sum, &part| sum * height + part);
-        let mut open = vec![(Heights::ALL, 0)];
-        while let Some((heights, halvings)) = open.pop() {
-            if is_positive(at(heights.all())) {
-                continue;
-            }
-            if halvings == APART_HALVINGS {
-                return false;
-            }
-            open.extend(heights.halves().map(|half| (half, halvings + 1)));
+    fn sides(&self) -> Sides {
+        let left = self.moved.iter().map(|moved| (moved.by, &moved.left[..]));
+        let right = self.moved.iter().map(|moved| (moved.by, &moved.right[..]));
+        Sides {
+            left: Curve::new(iter::once(([0, 0], &self.left[..])).chain(left)),
+            right: Curve::new(iter::once(([0, 0], &self.right[..])).chain(right)),
         }
-        true
     }
+}
 
+impl Sides {
     /// Whether this strip and another one of the h-set have no state in common: one is on the left of the other at all heights. Lemma D34
     fn is_apart(&self, other: &Self) -> bool {
-        Self::is_left(&self.right, &other.left) || Self::is_left(&other.right, &self.left)
+        self.right.is_left_of(&other.left) || other.right.is_left_of(&self.left)
     }
 
     /// Whether the strip leads from below the h-set to above it, between its left and its right edge, and has some breadth everywhere.
@@ -110,39 +83,44 @@ impl Strip {
         let left = [a, b].map(|corner| (corner[0].mid() + corner[0].rad()).next_up()); // D34: upward
         let right = [c, d].map(|corner| (corner[0].mid() - corner[0].rad()).next_down()); // D34: downward
         [a, b, c, d].into_iter().all(is_in)
-            && left.iter().all(|&left| Self::is_left(&[left], &self.left))
-            && Self::is_left(&self.left, &self.right)
-            && right.iter().all(|&right| Self::is_left(&self.right, &[right]))
+            && left.iter().all(|&left| Curve::still(left).is_left_of(&self.left))
+            && self.left.is_left_of(&self.right)
+            && right.iter().all(|&right| self.right.is_left_of(&Curve::still(right)))
     }
 }
 
 /// Strips of words between h-sets, in their order, each apart from those of other words: `None` where none is found, or proved, or before the
 /// watch stops the search. Lemma D34
 pub(super) fn strips(law: &Law, bases: &[HSet], words: &[Path], watch: &dyn Watch) -> Vec<Option<Strip>> {
-    let guess = Guess::new(law);
     let frames: Vec<Frame> = bases.iter().map(Frame::of).collect();
     let numbers: Vec<usize> = (0..words.len()).collect();
     let finder = |number: usize| {
         let path = &words[number];
-        Finder { guess: &guess, frames: [path.from, path.to].map(|base| &frames[base]), path }
+        Finder { law, guess: Guess::new(law), frames: [path.from, path.to].map(|base| &frames[base]), path }
     };
     let ends: Vec<Option<[f64; 2]>> = each(&numbers, &|&number: &usize| finder(number).ends());
     let found = |&number: &usize| {
         watch.proceed(Stage::Working).is_continue().then_some(())?;
         let (path, own) = (&words[number], ends[number]?);
         let finder = finder(number);
-        let cover = Cover { law, guess: &guess, base: &bases[path.to], frames: finder.frames, path };
+        let word = Covering { base: &bases[path.to], frames: finder.frames, path };
         let others = (0..words.len()).filter(|&other| other != number && words[other].from == path.from);
         let (rises, mut strips) = finder.strips(own, free(own, others.filter_map(|other| ends[other])))?;
-        strips.find(|strip| strip.is_across(&bases[path.from], finder.frames[0]) && cover.is_proved(strip, rises))
+        strips.find(|strip| {
+            let sides = strip.sides();
+            sides.is_across(&bases[path.from], finder.frames[0]) && word.is_proved(law, &sides, rises)
+        })
     };
     let mut found = each(&numbers, &found);
     // D34: words of one h-set are told apart by their strips
-    for k in 0..words.len() {
-        let own = found[k].take();
-        let others =
-            (0..k).filter(|&other| words[other].from == words[k].from).filter_map(|other| found[other].as_ref());
-        found[k] = own.filter(|own| others.into_iter().all(|other| own.is_apart(other)));
+    let mut kept: Vec<(usize, Sides)> = Vec::new();
+    for (word, strip) in words.iter().zip(&mut found) {
+        let Some(sides) = strip.as_ref().map(Strip::sides) else { continue };
+        if kept.iter().all(|(from, other)| *from != word.from || sides.is_apart(other)) {
+            kept.push((word.from, sides));
+        } else {
+            *strip = None;
+        }
     }
     found
 }
@@ -197,7 +175,8 @@ mod tests {
         assert_eq!(found.len(), words.len());
         let own = |k: &usize, other: &usize| k < other && words[*k].from == words[*other].from;
         let pairs = (0..words.len()).flat_map(|k| (0..words.len()).map(move |other| (k, other)));
-        assert!(pairs.filter(|(k, other)| own(k, other)).all(|(k, other)| found[k].is_apart(&found[other])));
+        let sides: Vec<Sides> = found.iter().map(Strip::sides).collect();
+        assert!(pairs.filter(|(k, other)| own(k, other)).all(|(k, other)| sides[k].is_apart(&sides[other])));
     }
 
     /// States of a strip fly in doubles as its word says, and come between bottom and top of the h-set, its sides beyond the edges.
@@ -210,7 +189,8 @@ mod tests {
             let strip = strip.expect("a strip");
             let [from, to] = [path.from, path.to].map(|base| Frame::of(&bases[base]));
             let flown = |across: f64, height: f64| -> State {
-                let [left, right] = [&strip.left, &strip.right].map(|side| value(side, Ball::exact(height)).mid());
+                let Sides { left, right } = strip.sides();
+                let [left, right] = [left, right].map(|side| side.at(Ball::exact(height)).mid());
                 let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
                 let mut state = [0, 1].map(|i| from.centre[i] + xi * from.along[i] + height * from.across[i]);
                 for side in &path.sides {
@@ -232,14 +212,15 @@ mod tests {
     #[test]
     fn false_strips_are_not_proved() {
         let (law, bases) = (law(), bases());
-        let (guess, words) = (Guess::new(&law), words(&law, &bases));
+        let words = words(&law, &bases);
         let found = strips(&law, &bases, &words, &Unwatched);
         for (path, strip) in words.iter().zip(&found).take(6) {
             let strip = strip.as_ref().expect("a strip");
             let frames = [path.from, path.to].map(|base| Frame::of(&bases[base]));
             let [from, to] = frames.each_ref();
-            let cover = Cover { law: &law, guess: &guess, base: &bases[path.to], frames: [from, to], path };
-            let is_proved = |strip: &Strip| [true, false].into_iter().any(|rises| cover.is_proved(strip, rises));
+            let word = Covering { base: &bases[path.to], frames: [from, to], path };
+            let is_proved =
+                |strip: &Strip| [true, false].into_iter().any(|rises| word.is_proved(&law, &strip.sides(), rises));
             assert!(is_proved(strip));
             let breadth = strip.right[0] - strip.left[0];
             for (left, right) in [(0.3, 0.0), (0.0, -0.3), (0.3, 0.3), (-0.3, -0.3)] {
@@ -248,25 +229,6 @@ mod tests {
                 other.right[0] += right * breadth;
                 assert!(!is_proved(&other), "{left} {right}");
             }
-        }
-    }
-
-    #[test]
-    fn a_curve_is_left_of_another_one_at_all_heights() {
-        let is_left = |one: &[f64], two: &[f64]| Strip::is_left(one, two);
-        assert!(is_left(&[0.0, 0.1], &[0.2]) && is_left(&[0.0], &[0.2, 0.1, -0.05]));
-        assert!(!is_left(&[0.0, 0.1], &[0.1]) && !is_left(&[0.0, 0.0, 1.0], &[0.9]) && !is_left(&[0.2], &[0.1]));
-    }
-
-    /// A parabola is as far from its chord in the middle.
-    #[test]
-    fn bulges_bound_how_far_curves_are_from_their_chords() {
-        let curve = [0.1, -0.4, 0.25];
-        for Heights { low, high } in Heights::ALL.halves() {
-            let at = |height: f64| value(&curve, Ball::exact(height)).mid();
-            let away = (at(0.5 * (low + high)) - 0.5 * (at(low) + at(high))).abs();
-            let bulge = Heights { low, high }.bulge(&curve);
-            assert!(away <= bulge && bulge < away + 1e-9, "{away} {bulge}");
         }
     }
 }

@@ -156,7 +156,11 @@ impl Verb for ChaosOptions {
         let requested = RangeSettings { over, cells, halvings, depth };
         let found = Cells::of(scene.pair(), scene.start(), &requested, watch);
         let found = found.map_err(Failure::over(slice::from_ref(&requested.over)))?;
-        Ok(Chaotic::Cells { document: found.document(scene, &requested), scene, requested, found })
+        let mut document = found.document(scene, &requested);
+        if self.witness.no_witness {
+            document.stretches.iter_mut().for_each(|stretch| stretch.witness.clear());
+        }
+        Ok(Chaotic::Cells { document, scene, requested, found })
     }
 }
 

@@ -51,7 +51,7 @@ pub(crate) fn chaos(document: &ChaosDocument, over: Option<Key>) -> Mark {
     let unused = Unused { varied, frequency: true, phase: true, start: true, is_grid: false };
     let own = || checked("V12");
     let word = |word: &WordDocument| {
-        let own = || checked("V39; over a range without strips V12");
+        let own = || checked("V39");
         fields!(word, WordDocument { from: own(), to: own(), impacts: own(), half_cycles: own(), flights: own() })
     };
     fields!(
@@ -142,7 +142,7 @@ pub(crate) fn cells(document: &ChaosCellsDocument, over: Key) -> Mark {
 }
 
 fn stretch(document: &StretchDocument) -> Mark {
-    const BY: &str = "V35, V36; words V12";
+    const BY: &str = "V35, V36; words V39";
     fields!(
         document,
         StretchDocument {
@@ -152,6 +152,7 @@ fn stretch(document: &StretchDocument) -> Mark {
             entropy: optional(document.entropy.as_ref(), |own| entropies(own, BY)),
             bases: each(&document.bases, |own| base(own, BY)),
             period: optional(document.period.as_ref(), |own| period(own, BY)),
+            witness: witness("V39"),
         }
     )
 }

@@ -6,7 +6,7 @@ use impact_pair_model::vocabulary::{Class, ComponentKind};
 use super::chaos::{REQUEST, base, entropies};
 use super::periodic::{InPlace, periodic_orbit};
 use super::scene::{PROGRAM, READ, Unused, scene};
-use super::{Mark, checked, claimed, each, fields, items, optional, setting};
+use super::{Mark, checked, claimed, each, fields, items, optional, setting, witness};
 
 /// What is said of components depends on this. Lemmas V20, V27, V28, V37
 #[derive(Clone, Copy)]
@@ -88,7 +88,10 @@ pub(super) fn component(document: &ComponentDocument, of: Components) -> Mark {
 
 fn horseshoe(document: &ProvedHorseshoeDocument) -> Mark {
     let (entropy, bases) = (entropies(&document.entropy, "V37"), each(&document.bases, |own| base(own, "V37")));
-    fields!(document, ProvedHorseshoeDocument { depth: checked("V37"), entropy: entropy, bases: bases })
+    fields!(
+        document,
+        ProvedHorseshoeDocument { depth: checked("V37"), entropy: entropy, bases: bases, witness: witness("V39") }
+    )
 }
 
 /// Whether the symmetry of a periodic motion is undecided in the document: then its period under the reduced map is not checked.

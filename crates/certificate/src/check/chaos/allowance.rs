@@ -41,11 +41,6 @@ impl<'w> Allowance<'w> {
         let left = self.left.fetch_sub(cost.min(MAX_WORK), Ordering::Relaxed); // proposes: when to give up
         if left >= cost { Ok(()) } else { Err(End::Spent) }
     }
-
-    /// Returns whether none is left.
-    pub fn is_spent(&self) -> bool {
-        self.left.load(Ordering::Relaxed) <= 0
-    }
 }
 
 /// The most work taken at once, so that what is left cannot wrap.

@@ -1,11 +1,17 @@
-//! H-sets: convex quadrilaterals, disjoint in exact fractions, and which stretches of chains of boxes cross them (Lemmas D8, V12).
+//! H-sets: convex quadrilaterals, disjoint in exact fractions (Lemma V12).
 
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
 
 use super::beam::State;
-use super::tube::{BoxChain, Chord, side_of};
 use impact_pair_document::{Corner, CornersDocument};
+
+/// A left or a right edge, from its lower to its upper end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Chord {
+    pub bottom: State,
+    pub top: State,
+}
 
 /// A quadrilateral of states by its left and its right edge.
 #[derive(Clone, Copy, Debug)]
@@ -62,43 +68,6 @@ impl HSet {
         let Some(one) = self.exact() else { return false };
         let later = later(&one, 1);
         is_parted(&one, &later) || is_parted(&later, &one)
-    }
-
-    /// Returns the forcing periods after which a chain of boxes may cross it.
-    pub fn turns(&self, tube: &BoxChain) -> Vec<f64> {
-        let ends = |phases: &mut dyn Iterator<Item = f64>| {
-            phases.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]) // proposes: where to look
-        };
-        let [low, high] = ends(&mut tube.chords().iter().map(|chord| chord.bottom[0]));
-        let [least, most] = ends(&mut self.corners().iter().map(|[phase, _]| *phase));
-        let [first, last] = [(low - most).floor(), (high - least).ceil()].map(|x| x.to_i32().unwrap_or(0)); // proposes: where to look
-        (first..=last).map(f64::from).collect()
-    }
-
-    /// Returns the stretches of a chain of boxes that cross it N forcing periods later, each by two chords (D8).
-    pub fn crossings(&self, tube: &BoxChain, turns: f64) -> Vec<[usize; 2]> {
-        let Self { left, right } = self;
-        let side = |from: State, to: State, state: &State| side_of(from, to, *state, turns);
-        let mut found = Vec::new();
-        // Beyond which edge the last chord was that is beyond one, if all since have been between bottom and top.
-        let mut last: Option<(bool, usize)> = None;
-        for (k, chord) in tube.chords().iter().enumerate() {
-            let ends = [chord.bottom, chord.top];
-            let is_between = ends.iter().all(|end| {
-                side(left.bottom, right.bottom, end).is_positive() && side(left.top, right.top, end).is_negative()
-            });
-            if !is_between {
-                last = None;
-                continue;
-            }
-            let is_before = ends.iter().all(|end| side(left.bottom, left.top, end).is_positive());
-            let is_behind = ends.iter().all(|end| side(right.bottom, right.top, end).is_negative());
-            if is_before || is_behind {
-                found.extend(last.filter(|&(was_before, _)| was_before != is_before).map(|(_, from)| [from, k]));
-                last = Some((is_before, k));
-            }
-        }
-        found
     }
 }
 

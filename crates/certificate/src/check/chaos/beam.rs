@@ -25,28 +25,6 @@ impl Quad {
         Self { corners: corners.map(|(u, w)| corner(u, w)) }
     }
 
-    /// Returns the part between two fractions of the way from left to right.
-    pub fn part(&self, from: f64, to: f64) -> Self {
-        let [p, q, r, s] = self.corners;
-        let at = |t: f64, a: Spot, b: Spot| {
-            [0, 1].map(|i| a[i] * (Span::point(1.0) - Span::point(t)) + b[i] * Span::point(t))
-        };
-        Self { corners: [at(from, p, r), at(from, q, s), at(to, p, r), at(to, q, s)] }
-    }
-
-    /// Returns both halves: left and right, or below and above.
-    pub fn halves(&self, is_along: bool) -> [Self; 2] {
-        let [p, q, r, s] = self.corners;
-        let corners = if is_along {
-            let (m, n) = (mean(p, r), mean(q, s));
-            [[p, q, m, n], [m, n, r, s]]
-        } else {
-            let (m, n) = (mean(p, q), mean(r, s));
-            [[p, m, r, n], [m, q, n, s]]
-        };
-        corners.map(|corners| Self { corners })
-    }
-
     /// Some state about its middle.
     pub fn middle(&self) -> State {
         [0, 1].map(|i| self.centre()[i].mid())

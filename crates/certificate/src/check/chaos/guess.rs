@@ -100,26 +100,6 @@ impl Guess {
         }
         None
     }
-
-    /// Returns the direction that N flights ahead contract most, of length 1 in radians and speeds.
-    pub fn contracting(&self, state: State, ahead: usize) -> Option<State> {
-        let mut product = [[1.0 / TAU, 0.0], [0.0, 1.0]];
-        let mut at = Some(state);
-        for _ in 0..ahead {
-            let Some(image) = at.and_then(|at| self.map(at)) else { break };
-            let [[a, b], [c, d]] = image.jacobian;
-            let [p, q] = product;
-            let row = |x: f64, y: f64| [x * p[0] + y * q[0], x * p[1] + y * q[1]];
-            product = [row(a, b), row(c, d)];
-            let size = product.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-            product = product.map(|row| row.map(|x| x / size));
-            at = Some(image.state);
-        }
-        let [[a, b], [c, d]] = [product[0].map(|x| x * TAU), product[1]];
-        let angle = 0.5 * (2.0 * (a * b + c * d)).atan2(a * a + c * c - b * b - d * d);
-        let (sin, cos) = angle.sin_cos();
-        angle.is_finite().then_some([-sin / TAU, cos])
-    }
 }
 
 /// The zero of a function that increases, from it and its derivative: by Newton's method, by halving where that leaves the bracket.

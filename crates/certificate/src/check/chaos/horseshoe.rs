@@ -1,67 +1,61 @@
-//! Check of a claimed entropy of h-sets for all parameters of a law, by words that are searched for anew (Lemmas V12, V35, V37).
+//! Check of a claimed entropy of h-sets for all parameters of a law, by the words of its witness (Lemmas V35, V37, V39).
 
-use impact_pair_document::{BaseDocument, CornersDocument, Depth, EntropyDocument, ProvedHorseshoeDocument};
+use impact_pair_document::{
+    BaseDocument, CornersDocument, Depth, EntropyDocument, ProvedHorseshoeDocument, StripDocument, WordDocument,
+};
+use impact_pair_model::watch::Watch;
 
 use super::Law;
-use super::allowance::{Allowance, End};
+use super::allowance::End;
 use super::bases::HSet;
-use super::judge::MAKINGS;
 use super::said::{follows, is_none, sound_bases};
-use super::words::{Ahead, Search, Word};
+use super::strip::left_open;
+use super::words::Word;
 use crate::check::contact::Doubt;
 
-/// A horseshoe that is claimed.
+/// A horseshoe that is claimed: words of at most `depth` impacts between h-sets that are disjoint, of a positive entropy.
 pub(super) struct Horseshoe<'h> {
     bases: Vec<HSet>,
     entropy: &'h EntropyDocument,
     depth: u32,
-    /// The way to make chains of boxes that sufficed last.
-    known: usize,
 }
 
 impl<'h> Horseshoe<'h> {
-    /// Words of at most `depth` impacts between h-sets that are disjoint, of a positive entropy.
     pub fn claimed(bases: &[BaseDocument], entropy: &'h EntropyDocument, depth: Depth) -> Result<Self, Doubt> {
         if is_none(entropy) {
             return Err(Doubt::False("a horseshoe is claimed, but no entropy".into()));
         }
-        Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth.get(), known: 0 })
+        Ok(Self { bases: sound_bases(bases)?, entropy, depth: depth.get() })
     }
 
-    /// Returns whether words of at most the claimed number of impacts make the entropy.
-    pub fn is_there(&mut self, law: &Law, work: &Allowance) -> Result<bool, End> {
-        for making in (self.known..MAKINGS.len()).chain(0..self.known) {
-            if self.is_proved(law, making, work)? {
-                self.known = making;
-                return Ok(true);
-            }
+    /// Words and strips prove it for all parameters of a law, or why that is not so.
+    pub fn is_proved(
+        &self,
+        law: &Law,
+        (words, strips): (&[WordDocument], &[StripDocument]),
+        work: (u64, &dyn Watch),
+    ) -> Result<(), Doubt> {
+        let bases = self.bases.len();
+        let read = |word: &WordDocument| Word::of(word, bases).filter(|_| word.impacts <= self.depth);
+        let Some(words) = words.iter().map(read).collect::<Option<Vec<_>>>() else {
+            return Err(Doubt::open("its witness has words that contradict themselves, the depth or the h-sets"));
+        };
+        if let Err(what) = follows(&words, bases, self.entropy) {
+            return Err(Doubt::Open(format!("entropy.{what} does not follow from the words of its witness")));
         }
-        Ok(false)
-    }
-
-    /// Returns whether they do so along chains of boxes made in one way, `MAKINGS[making]`.
-    fn is_proved(&self, law: &Law, making: usize, work: &Allowance) -> Result<bool, End> {
-        let ahead = Ahead::new();
-        let mut search = Search::new(law, &self.bases, None, (&MAKINGS[making..=making], &ahead), work);
-        for _ in 0..self.depth {
-            search.deepen()?;
-            let each = |(word, count): (&Word, &usize)| vec![word.clone(); *count];
-            let words: Vec<Word> = search.found.iter().flat_map(each).collect();
-            if follows(&words, self.bases.len(), self.entropy).is_ok() {
-                return Ok(true);
-            }
+        match left_open(law, (&self.bases, &words), strips, work, &mut |_| {}) {
+            Ok(None) => Ok(()),
+            Err(End::Stopped) => Err(Doubt::open("its horseshoe is not proved again")),
+            Ok(Some(_)) | Err(End::Spent) => Err(Doubt::open("its horseshoe is not proved again by its witness")),
         }
-        Ok(false)
     }
 }
 
 /// The map has the horseshoe, or why that is not so or not proved. Lemma V37
-pub(super) fn is_proved(claimed: &ProvedHorseshoeDocument, law: &Law, work: &Allowance) -> Result<(), Doubt> {
-    match Horseshoe::claimed(&claimed.bases, &claimed.entropy, claimed.depth)?.is_there(law, work) {
-        Ok(true) => Ok(()),
-        Ok(false) => Err(Doubt::open("its horseshoe is not proved again")),
-        Err(_) => Err(Doubt::open("the work allowed is spent on its horseshoe")),
-    }
+pub(super) fn is_proved(claimed: &ProvedHorseshoeDocument, law: &Law, work: (u64, &dyn Watch)) -> Result<(), Doubt> {
+    let horseshoe = Horseshoe::claimed(&claimed.bases, &claimed.entropy, claimed.depth)?;
+    let Some(witness) = &claimed.witness else { return Err(Doubt::open("its horseshoe has no witness")) };
+    horseshoe.is_proved(law, (&witness.words, &witness.strips), work)
 }
 
 /// The h-sets of one component's horseshoe have no state in common with those of another one's, or why both cannot be as claimed, or why that is not

@@ -1,10 +1,9 @@
-//! Regions that no motion leaves, and words of horseshoes, proved again in intervals of doubles (Lemmas V11, V12, V39).
+//! Regions that no motion leaves, and words of horseshoes, proved again in intervals of doubles (Lemmas V11, V39).
 //!
 //! The impact map with every impact mirrored to the left wall: a state is a phase in forcing periods and a speed over `A W`, lengths are in
 //! amplitudes, times of flight in forcing periods since the departure. Of a region the document's own boxes are proved to be closed
 //! ([`region`], [`trap`]), and the words of walls are counted on a graph of its own ([`language`]). Words are proved with the strips that the document
-//! has for them ([`strip`]). Over ranges of a parameter, and where a document has h-sets alone, chains of boxes are made anew ([`propose`]), followed
-//! along the listed words only, and each cell is proved ([`words`]).
+//! has for them ([`strip`]).
 
 mod allowance;
 mod bases;
@@ -18,14 +17,12 @@ mod guess;
 mod horseshoe;
 mod judge;
 mod language;
-mod propose;
 mod region;
 mod said;
 mod strip;
 #[cfg(test)]
 mod tests;
 mod trap;
-mod tube;
 mod words;
 
 use impact_pair_exact::Exact;

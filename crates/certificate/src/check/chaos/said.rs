@@ -81,7 +81,7 @@ pub(super) fn follows(words: &[Word], bases: usize, claimed: &EntropyDocument) -
 
 impl Word {
     /// `None` if it contradicts itself.
-    fn of(claimed: &WordDocument, bases: usize) -> Option<Self> {
+    pub(super) fn of(claimed: &WordDocument, bases: usize) -> Option<Self> {
         let flight = |name: char| match name {
             'F' => Some(true),
             'N' => Some(false),

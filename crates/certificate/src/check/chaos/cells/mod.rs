@@ -5,6 +5,8 @@ mod moving;
 mod orbit;
 mod said;
 
+use std::cmp::Ordering;
+
 use impact_pair_exact::Exact;
 use impact_pair_model::vocabulary::StretchVerdict;
 use impact_pair_model::watch::{Latched, Stage, Watch};
@@ -50,8 +52,8 @@ impl CellsCertificate {
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
         for (event, stretch) in self.document.stretches.iter().enumerate() {
             if stretch.verdict != StretchVerdict::Undecided {
-                let work = Allowance::new(limits.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR, &watch); // proposes: when to give up
-                match self.judged(stretch, &work)? {
+                let allowed = limits.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR; // proposes: when to give up
+                match self.judged(stretch, (allowed, &watch))? {
                     Err(Doubt::Open(_)) if watch.is_stopped() => {
                         return Ok((Verdict::Interrupted { events: confirmed }, certain));
                     }
@@ -78,7 +80,12 @@ impl CellsCertificate {
     }
 
     /// The verdict on a subinterval holds for all its values.
-    fn judged(&self, stretch: &StretchDocument, work: &Allowance) -> Result<Result<(), Doubt>, Error> {
+    fn judged(
+        &self,
+        stretch: &StretchDocument,
+        (allowed, watch): (u64, &dyn Watch),
+    ) -> Result<Result<(), Doubt>, Error> {
+        let work = &Allowance::new(allowed, watch);
         if let Some(period) = &stretch.period {
             let period = match Period::of(period) {
                 Ok(period) => period,
@@ -93,18 +100,35 @@ impl CellsCertificate {
                 return Ok(Err(doubt));
             }
         }
+        self.holds_horseshoe(stretch, (allowed, watch))
+    }
+
+    /// All values of a subinterval have the horseshoe that is claimed, if one is: each part of it has, by its witness.
+    fn holds_horseshoe(&self, stretch: &StretchDocument, work: (u64, &dyn Watch)) -> Result<Result<(), Doubt>, Error> {
         let Some(entropy) = &stretch.entropy else { return Ok(Ok(())) };
-        let mut horseshoe = match Horseshoe::claimed(&stretch.bases, entropy, self.document.depth) {
+        let horseshoe = match Horseshoe::claimed(&stretch.bases, entropy, self.document.depth) {
             Ok(horseshoe) => horseshoe,
             Err(doubt) => return Ok(Err(doubt)),
         };
-        let found = |is_there: bool| if is_there { Found::Proved } else { Found::Nothing };
-        let proved = self.for_all(stretch, &mut |_, law| Ok(horseshoe.is_there(law, work).map(found)))?;
-        Ok(match proved {
-            Ok(Found::Proved) => Ok(()),
-            Err(End::Spent) => Err(Doubt::open("the work allowed is spent on its horseshoe")),
-            _ => Err(Doubt::open("its horseshoe is not proved again")),
-        })
+        let mut from = &stretch.low.0;
+        for part in &stretch.witness {
+            let to = &part.high.0;
+            if from.compare(to) != Some(Ordering::Less) {
+                return Ok(Err(Doubt::open("the parts of its witness are not in order")));
+            }
+            let law = Law::of(&self.pair([from, to])?)?;
+            if let Err(doubt) = horseshoe.is_proved(&law, (&part.words, &part.strips), work) {
+                return Ok(Err(doubt));
+            }
+            from = to;
+        }
+        let is_whole = from.compare(&stretch.high.0) == Some(Ordering::Equal);
+        let why = if stretch.witness.is_empty() {
+            "its horseshoe has no witness"
+        } else {
+            "its witness is not one of all its values"
+        };
+        Ok(if is_whole { Ok(()) } else { Err(Doubt::open(why)) })
     }
 
     /// The finding for all values of a subinterval: for all of them at once, or else for one half after the other.

@@ -70,10 +70,10 @@ mod tests {
     use impact_pair_model::watch::Unwatched;
 
     use super::super::super::allowance::Allowance;
+    use super::super::super::bases::Chord;
     use super::super::super::bases::HSet;
     use super::super::super::guess::Guess;
     use super::super::super::tests::figure_14;
-    use super::super::super::tube::Chord;
     use super::super::strip::{Branch, Cell, Frame, Map, Strip};
     use super::*;
 

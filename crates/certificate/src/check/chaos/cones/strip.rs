@@ -255,7 +255,7 @@ pub(super) fn is_tall(sides: &Sides) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::tube::Chord;
+    use super::super::super::bases::Chord;
     use super::*;
 
     /// Speeds from 0.01 on, but the parallelogram has a corner at -0.09.

@@ -12,7 +12,6 @@ use impact_pair_model::Error;
 use impact_pair_model::vocabulary::ComponentKind;
 use impact_pair_model::watch::{Latched, Silent, Watch};
 
-use super::allowance::Allowance;
 use super::beam::{FlightBundle, Quad};
 use super::horseshoe::{are_apart, is_proved};
 use super::span::Span;
@@ -94,8 +93,8 @@ impl GlobalCertificate {
         let law = Law::of(&self.pair)?;
         for (place, claim) in self.claimed.iter().enumerate() {
             let Some(horseshoe) = &claim.horseshoe else { continue };
-            let work = Allowance::new(limits.work.saturating_mul(STEPS_PER_PLACE), watch); // proposes: when to give up
-            if let Err(doubt) = is_proved(horseshoe, &law, &work) {
+            let allowed = limits.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
+            if let Err(doubt) = is_proved(horseshoe, &law, (allowed, watch)) {
                 return Ok(Err((place, doubt)));
             }
             let others = self.claimed[..place].iter().enumerate();

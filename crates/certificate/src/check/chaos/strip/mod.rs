@@ -1,5 +1,6 @@
 //! Words proved by the strips that a document has for them: nothing is searched for (Lemma V39).
 
+mod curve;
 mod patch;
 mod side;
 #[cfg(test)]
@@ -14,14 +15,14 @@ use super::cones::Frame;
 use super::guess::{Guess, MAX_PERIODS, applied};
 use super::span::Span;
 use super::words::Word;
+use curve::{Heights, Values};
 use patch::{Band, Flown, Patch, length, onward, unit};
-use side::{Heights, Strip};
+use side::Strip;
 pub(super) use witness::left_open;
 
 /// The map and the h-sets that words are proved for.
 struct Cover<'c> {
     law: &'c Law,
-    guess: Guess,
     bases: &'c [HSet],
     frames: Vec<Frame>,
 }
@@ -34,6 +35,9 @@ const WORK_PER_PATCH: usize = 4;
 const LEAST_BAND: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 const LATER_HALVINGS: u32 = 12;
 const HEIGHT_HALVINGS: u32 = 9;
+/// Cuts of the parameters, and how wide those that are cut have to be, for their size.
+const MAX_CUTS: u32 = 12;
+const LEAST_WIDTH: f64 = 1e-9;
 /// A slice bulges by less than this part of its band, or of the strip, and there are no more slices than that.
 const BULGES: [f64; 2] = [1.0 / 16.0, 1.0 / 128.0];
 const MAX_SLICES: usize = 1 << 13;
@@ -59,12 +63,14 @@ enum Goal {
     Beyond { is_right: bool },
 }
 
-/// A word with its strip, and how much of its work is left.
+/// A word with its strip, for some of the parameters, and how much of its work is left.
 struct Proof<'p> {
     cover: &'p Cover<'p>,
+    law: Law,
+    guess: Guess,
     word: &'p Word,
-    strip: &'p Strip,
-    target: Target<'p>,
+    strip: Strip,
+    target: &'p Target<'p>,
     work: &'p Allowance<'p>,
     left: usize,
 }
@@ -96,7 +102,7 @@ impl Target<'_> {
     /// Holds how far all images are to the left of the way from one corner to another: positive or negative where all or none of them are.
     fn beside(&self, landing: &Landing, from: State, to: State) -> Span {
         let [[u, w], [v, x]] = [from, to].map(|corner| corner.map(Span::point));
-        landing.along([w - x, v - u], [u + Span::point(self.turns), w])
+        landing.beside([w - x, v - u], [u + Span::point(self.turns), w], [[Span::point(0.0); 2]; 2])
     }
 
     fn is_met(&self, landing: &Landing, goal: Goal) -> bool {
@@ -114,17 +120,36 @@ impl Target<'_> {
 
 impl<'c> Cover<'c> {
     fn new(law: &'c Law, bases: &'c [HSet]) -> Self {
-        Self { law, guess: Guess::new(law), bases, frames: bases.iter().map(Frame::of).collect() }
+        Self { law, bases, frames: bases.iter().map(Frame::of).collect() }
     }
 
-    /// Returns whether all curves across the first h-set of a word are proved to be mapped across its last one, within the strip.
+    /// Returns whether all curves across the first h-set of a word are proved to be mapped across its last one, within the strip, for all parameters.
     fn is_proved(&self, word: &Word, strip: &Strip, work: &Allowance) -> Result<bool, End> {
         let Some(turns) = word.turns() else { return Ok(false) };
         if !strip.parts(&self.frames[word.from], &self.bases[word.from]) {
             return Ok(false);
         }
         let target = Target { base: &self.bases[word.to], turns };
-        Proof { cover: self, word, strip, target, work, left: MAX_FLIGHTS }.is_there()
+        let mut open = vec![(Values::ALL, 0)];
+        let mut left = MAX_FLIGHTS;
+        while let Some((values, cuts)) = open.pop() {
+            let (law, shift) = values.of(self.law);
+            let (guess, strip) = (Guess::new(&law), strip.of(shift));
+            let mut proof = Proof { cover: self, law, guess, word, strip, target: &target, work, left };
+            let is_there = proof.is_there()?;
+            left = proof.left;
+            if is_there {
+                continue;
+            }
+            let widths = [law.gap, law.restitution].map(|all| (all.hi() - all.lo()) / all.mid());
+            let wider = usize::from(widths[1] > widths[0]); // V39: any of both
+            let is_narrow = widths[wider] < LEAST_WIDTH; // proposes: when to give up
+            if is_narrow || cuts == MAX_CUTS || left == 0 {
+                return Ok(false);
+            }
+            open.extend(values.halves(wider).map(|half| (half, cuts + 1)));
+        }
+        Ok(true)
     }
 }
 
@@ -140,7 +165,7 @@ impl Proof<'_> {
         let place = self.strip.left.at(Span::point(0.0)).mid();
         let mut state = [0, 1].map(|i| from.centre[i] + place * from.along[i]);
         for &is_far in &self.word.flights {
-            state = self.cover.guess.map(state).filter(|image| image.is_far == is_far)?.state;
+            state = self.guess.map(state).filter(|image| image.is_far == is_far)?.state;
         }
         Some(to.place(state.map(Span::point), self.target.turns)?[0].mid() > 0.0)
     }
@@ -197,7 +222,7 @@ impl Proof<'_> {
 
     /// The states of a band in equally high slices; `None` if there would be too many.
     fn row(&self, band: Band, allowed: f64) -> Option<Row> {
-        let Strip { left, right } = self.strip;
+        let Strip { left, right } = &self.strip;
         // proposes: any number of slices will do
         let part = (BULGES[0] * (band.to - band.from)).max(2.0 * BULGES[0] * allowed).min(BULGES[1]);
         let mut slices = vec![Heights::WHOLE];
@@ -212,7 +237,7 @@ impl Proof<'_> {
             slices = slices.iter().flat_map(Heights::halves).collect();
         }
         let frame = &self.cover.frames[self.word.from];
-        let patches = slices.iter().map(|heights| band.states(frame, self.strip, heights)).collect();
+        let patches = slices.iter().map(|heights| band.states(frame, &self.strip, heights)).collect();
         Some(Row { flown: 0, patches })
     }
 
@@ -249,7 +274,7 @@ impl Proof<'_> {
         (leg, are_many): (&Leg, bool),
         goal: Option<Goal>,
     ) -> Result<Option<Vec<Flown>>, End> {
-        let Cover { law, guess, .. } = self.cover;
+        let Self { law, guess, .. } = *self;
         let is_far = self.word.flights[number];
         let mut images = Vec::new();
         let mut open = vec![(*patch, 0)];
@@ -258,10 +283,15 @@ impl Proof<'_> {
             self.work.spend(WORK_PER_PATCH, image.map_or(MAX_PERIODS, |image| image.time))?;
             self.left = self.left.saturating_sub(1); // exact: none is left
             let flown = image.filter(|image| image.is_far == is_far).and_then(|image| {
-                let landing = patch.flights(law).land(is_far, image.time)?;
+                let landing = patch.flights(&law).land(is_far, image.time)?;
                 let upward = unit(applied(image.jacobian, patch.upward));
                 let [expanded, contracted] = leg.directions;
-                let along = |across: State| Flown { landing, directions: [expanded, across], upward };
+                let [by_gap, by_restitution] = image.moved;
+                let moved = [0, 1].map(|k| {
+                    let ([u, w], [v, x]) = (applied(image.jacobian, patch.moved[k]), [by_restitution, by_gap][k]);
+                    [u + v, w + x]
+                });
+                let along = |across: State| Flown { landing, directions: [expanded, across], moved, upward };
                 let known = if are_many { [upward, contracted] } else { [contracted, upward] };
                 let is_good = |flown: &Flown| match goal {
                     Some(goal) => self.target.is_met(&landing, goal),
@@ -285,7 +315,7 @@ impl Proof<'_> {
 
     /// The flights of the middle of a row on, as far as they are those of the word, in doubles.
     fn legs(&self, row: &Row, allowed: f64) -> Result<Vec<Leg>, End> {
-        let Self { cover: Cover { guess, frames, .. }, word, strip, .. } = self;
+        let Self { cover: Cover { frames, .. }, guess, word, strip, .. } = self;
         let middle = &row.patches[row.patches.len() / 2];
         let breadth = 0.5 * (strip.right.at(Span::point(0.0)).mid() - strip.left.at(Span::point(0.0)).mid());
         let mut short = frames[word.from].along.map(|x| allowed * breadth * x);

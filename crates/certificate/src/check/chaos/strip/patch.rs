@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::super::Law;
-use super::super::beam::{FlightBundle, Landing, Quad, Spot, State};
+use super::super::beam::{FlightBundle, Landing, Spot, State};
 use super::super::cones::Frame;
 use super::super::guess::{Image, applied};
 use super::super::span::Span;
-use super::side::{Heights, Strip};
+use super::curve::Heights;
+use super::side::Strip;
 
 /// A part of a strip from side to side, from -1 to 1: a side has no breadth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,11 +17,13 @@ pub(super) struct Band {
     pub to: f64,
 }
 
-/// States `centre + a sides[0] + b sides[1] + ab sides[2]` with `|a|, |b| <= 1`: `a` along the strip, `b` from bottom to top.
+/// States `centre + a sides[0] + b sides[1] + c moved[0] + d moved[1]` with `|a|, |b| <= 1`: `a` along the strip, `b` from bottom to top, `c` and `d` from -1
+/// to 1 for `e` and `D`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Patch {
     pub centre: Spot,
-    pub sides: [Spot; 3],
+    pub sides: [Spot; 2],
+    pub moved: [State; 2],
     /// The direction of the sides of the strip there, in doubles.
     pub upward: State,
 }
@@ -30,6 +33,7 @@ pub(super) struct Patch {
 pub(super) struct Flown {
     pub landing: Landing,
     pub directions: [State; 2],
+    pub moved: [State; 2],
     pub upward: State,
 }
 
@@ -61,41 +65,47 @@ impl Band {
 
     /// The states of the strip there at some heights. A line between both sides bulges at most as the one that bulges more.
     pub fn states(&self, frame: &Frame, strip: &Strip, heights: &Heights) -> Patch {
-        let bulge = strip.left.bulge(heights).hull(strip.right.bulge(heights));
+        let Strip { left, right } = strip;
+        let bulge = left.bulge(heights).hull(right.bulge(heights));
+        let weights = |at: f64| [0.5 * (1.0 - at), 0.5 * (1.0 + at)]; // exact: dyadic fractions
+        let [p, q] = weights(0.5 * (self.from + self.to));
+        let [a, b] = [left, right].map(|side| side.moves(0.5 * (heights.low + heights.high)));
+        let moves = [0, 1].map(|k| p * a[k] + q * b[k]);
         let place = |at: f64, height: f64| {
-            let [left, right] = [&strip.left, &strip.right].map(|side| side.at(Span::point(height)));
-            // exact: dyadic fractions
-            (left * Span::point(0.5 * (1.0 - at)) + right * Span::point(0.5 * (1.0 + at))) + bulge
+            let [p, q] = weights(at).map(Span::point);
+            let [a, b] = [left, right].map(|side| side.at(Span::point(height)) + side.rest(height, moves));
+            p * a + q * b + bulge
         };
-        let corner = |place: f64, height: f64| {
-            let offset = frame.vector(Span::point(place), Span::point(height));
-            [0, 1].map(|i| Span::point(frame.centre[i]) + offset[i])
+        // At both heights half of the way between the outer ends, and the middle.
+        let at = |height: f64| {
+            let [a, b] = [place(self.from, height).lo(), place(self.to, height).hi()].map(Span::point);
+            [(b - a).scaled(0.5), (a + b).scaled(0.5)]
         };
-        let Heights { low, high } = *heights;
-        let corners = [
-            corner(place(self.from, low).lo(), low),
-            corner(place(self.from, high).lo(), high),
-            corner(place(self.to, low).hi(), low),
-            corner(place(self.to, high).hi(), high),
-        ];
-        let slope = (place(self.from, high).mid() - place(self.from, low).mid()) / (high - low);
+        let [[half, low], [other, high]] = [heights.low, heights.high].map(at);
+        let [middle, rise] = [(low + high).scaled(0.5), (high - low).scaled(0.5)];
+        let [bottom, top] = [heights.low, heights.high].map(Span::point);
+        let offset = frame.vector(middle, (bottom + top).scaled(0.5));
+        let moved = [moves[1], moves[0]].map(|by| frame.along.map(|x| by * x));
+        // What the moves are rounded by.
+        let rounded =
+            |k: usize, i: usize| Span::point(moves[1 - k]) * Span::point(frame.along[i]) - Span::point(moved[k][i]);
+        let error = |i: usize| rounded(0, i).around() + rounded(1, i).around();
+        let centre = [0, 1].map(|i| Span::point(frame.centre[i]) + offset[i] + error(i));
+        let longest = Span::point(half.hull(other).hi());
+        let sides = [frame.vector(longest, Span::point(0.0)), frame.vector(rise, (top - bottom).scaled(0.5))];
+        let slope = rise.mid() / (0.5 * (heights.high - heights.low));
         let upward = [0, 1].map(|i| slope * frame.along[i] + frame.across[i]);
-        let quad = Quad { corners };
-        Patch { centre: quad.centre(), sides: quad.sides(), upward }
+        Patch { centre, sides, moved, upward }
     }
 }
 
 impl Patch {
     /// Returns both halves: left and right, or below and above.
     pub fn halves(&self, is_tall: bool) -> [Self; 2] {
-        let Self { centre, sides: [g, h, k], .. } = *self;
-        let (cut, other) = if is_tall { (h, g) } else { (g, h) };
-        [-0.5, 0.5].map(|at| {
-            let moved = |from: Spot, by: Spot| [0, 1].map(|i| from[i] + by[i].scaled(at));
-            let (half, beside, twist) = (cut.map(|x| x.scaled(0.5)), moved(other, k), k.map(|x| x.scaled(0.5)));
-            let sides = if is_tall { [beside, half, twist] } else { [half, beside, twist] };
-            Self { centre: moved(centre, cut), sides, ..*self }
-        })
+        let Self { centre, mut sides, .. } = *self;
+        let cut = sides[usize::from(is_tall)].map(|x| x.scaled(0.5)); // exact: 0 or 1
+        sides[usize::from(is_tall)] = cut; // exact: 0 or 1
+        [-1.0, 1.0].map(|at| Self { centre: [0, 1].map(|i| centre[i] + cut[i].scaled(at)), sides, ..*self })
     }
 
     /// Some state about its middle.
@@ -109,8 +119,11 @@ impl Patch {
     }
 
     pub fn flights(&self, law: &Law) -> FlightBundle {
-        let bounds = [0, 1].map(|i| self.sides.iter().fold(self.centre[i], |sum, side| sum + side[i].around()));
-        FlightBundle::of(law, bounds, self.centre, self.sides)
+        let [by_restitution, by_gap] = self.moved.map(|by| by.map(Span::point));
+        let [g, h] = self.sides;
+        let all = [g, h, by_restitution, by_gap];
+        let bounds = [0, 1].map(|i| all.iter().fold(self.centre[i], |sum, side| sum + side[i].around()));
+        FlightBundle::moved(law, bounds, self.centre, [g, h, by_gap], by_restitution)
     }
 
     /// Whether its images are about as long and as thick as the derivative in its middle makes them, or no longer than that is allowed.
@@ -139,13 +152,19 @@ impl Flown {
         [0, 1].map(|k| [0, 1].map(|i| 0.5 * (self.directions[k][i] + other.directions[k][i])))
     }
 
-    /// Half the sides of a parallelogram about the middle that holds all images of both.
+    /// How parameters move what is between both.
+    fn moves(&self, other: &Self) -> [State; 2] {
+        [0, 1].map(|k| [0, 1].map(|i| 0.5 * (self.moved[k][i] + other.moved[k][i])))
+    }
+
+    /// Half the sides of a parallelogram about the middle, which moves with the parameters, that holds all images of both.
     fn reach(&self, other: &Self) -> Option<[f64; 2]> {
+        let moved = self.moves(other).map(|by| by.map(Span::point));
         let centre = self.middle(other).map(Span::point);
         let [g, h] = self.directions(other).map(|direction| direction.map(Span::point));
         let area = cross(g, h);
         let along = |normal: Spot| {
-            let all = self.landing.along(normal, centre).hull(other.landing.along(normal, centre));
+            let all = self.landing.beside(normal, centre, moved).hull(other.landing.beside(normal, centre, moved));
             Some(all.over(area)?.most()).filter(|size| size.is_finite())
         };
         Some([along([h[1], -h[0]])?, along([-g[1], g[0]])?])
@@ -157,7 +176,7 @@ impl Flown {
         let side = |direction: State, size: f64| direction.map(|x| Span::point(x) * Span::point(size));
         let centre = self.middle(other).map(Span::point);
         let upward = [0, 1].map(|i| 0.5 * (self.upward[i] + other.upward[i]));
-        Patch { centre, sides: [side(g, reach[0]), side(h, reach[1]), [Span::point(0.0); 2]], upward }
+        Patch { centre, sides: [side(g, reach[0]), side(h, reach[1])], moved: self.moves(other), upward }
     }
 }
 

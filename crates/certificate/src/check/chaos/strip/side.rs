@@ -1,100 +1,30 @@
 //! Strips of a document: the states between two curves across an h-set (Lemma V39).
 
-use impact_pair_document::{Decimal, StripDocument};
+use impact_pair_document::StripDocument;
 
 use super::super::bases::HSet;
 use super::super::cones::Frame;
 use super::super::span::Span;
-
-/// A curve across an h-set, in the coordinates of its parallelogram: coefficients of the powers of the height, from the constant on.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Curve(Vec<f64>);
+use super::curve::{Curve, Shift, TOP};
 
 /// The states between two curves, from below an h-set to above it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct Strip {
     pub left: Curve,
     pub right: Curve,
 }
 
-/// Heights from one to another, both dyadic fractions of the whole height.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Heights {
-    pub low: f64,
-    pub high: f64,
-}
-
-/// Coefficients of a curve at most.
-const MAX_COEFFICIENTS: usize = 32;
-/// The topmost height, `1 + 2^-30`: corners of h-sets are within it, though they are rounded.
-const TOP: f64 = 1.0 + 1.0 / (1_u64 << 30) as f64; // exact: a power of two
-/// Halvings of the whole height where two curves are compared.
-const MAX_HALVINGS: u32 = 16;
-
-impl Heights {
-    pub const WHOLE: Self = Self { low: -TOP, high: TOP };
-
-    /// Holds all of them.
-    pub fn all(&self) -> Span {
-        Span::new(self.low, self.high)
-    }
-
-    /// Returns the lower and the upper half.
-    pub fn halves(&self) -> [Self; 2] {
-        let middle = 0.5 * (self.low + self.high); // V39: exact
-        [Self { high: middle, ..*self }, Self { low: middle, ..*self }]
-    }
-}
-
-impl Curve {
-    /// Reads a curve; `None` if a coefficient is no finite double, or if there are none, or too many.
-    fn read(document: &[Decimal]) -> Option<Self> {
-        // V39: the nearest doubles
-        let coefficient = |part: &Decimal| part.text().parse().ok().filter(|part: &f64| part.is_finite());
-        let is_sound = (1..=MAX_COEFFICIENTS).contains(&document.len());
-        is_sound.then(|| document.iter().map(coefficient).collect()).flatten().map(Self)
-    }
-
-    /// Holds its places at some heights.
-    pub fn at(&self, height: Span) -> Span {
-        self.0.iter().rev().fold(Span::point(0.0), |sum, &part| sum * height + Span::point(part))
-    }
-
-    /// Bounds how far it is from the straight line between its places at two heights.
-    pub fn bulge(&self, heights: &Heights) -> Span {
-        let twice = |(k, &part): (usize, &f64)| Span::point((k * k - k) as f64) * Span::point(part); // exact: small numbers
-        let bends = self.0.iter().enumerate().skip(2).map(twice).rev();
-        let bend = bends.fold(Span::point(0.0), |sum, part| sum * heights.all() + part);
-        let height = Span::point(heights.high) - Span::point(heights.low);
-        (bend * height * height).scaled(0.125).around()
-    }
-
-    /// Returns whether it is left of another curve at all heights.
-    fn is_before(&self, other: &Self) -> bool {
-        let count = self.0.len().max(other.0.len()); // exact: of two numbers
-        let part = |curve: &Self, k: usize| Span::point(curve.0.get(k).copied().unwrap_or(0.0)); // exact: there is none
-        let away: Vec<Span> = (0..count).map(|k| part(other, k) - part(self, k)).collect();
-        let is_positive = |heights: &Heights| {
-            away.iter().rev().fold(Span::point(0.0), |sum, &part| sum * heights.all() + part).is_positive()
-        };
-        let mut open = vec![(Heights::WHOLE, 0)];
-        while let Some((heights, halvings)) = open.pop() {
-            if is_positive(&heights) {
-                continue;
-            }
-            if halvings == MAX_HALVINGS {
-                return false;
-            }
-            open.extend(heights.halves().map(|half| (half, halvings + 1)));
-        }
-        true
-    }
-}
-
 impl Strip {
     /// Reads a strip; `None` if its sides are no curves.
     pub fn read(document: &StripDocument) -> Option<Self> {
-        Some(Self { left: Curve::read(&document.left)?, right: Curve::read(&document.right)? })
+        let StripDocument { left, right, moved } = document;
+        let left = Curve::read(left, moved.iter().map(|moved| (moved, &moved.left)))?;
+        Some(Self { left, right: Curve::read(right, moved.iter().map(|moved| (moved, &moved.right)))? })
+    }
+
+    /// Returns the strip for some of the parameters.
+    pub fn of(&self, shift: Shift) -> Self {
+        Self { left: self.left.of(shift), right: self.right.of(shift) }
     }
 
     /// Returns whether both sides separate the left edge of an h-set from its right one within it, the left side being left of the right one.
@@ -104,7 +34,7 @@ impl Strip {
         let [Some(a), Some(b), Some(c), Some(d)] = places else { return false };
         let top = Span::point(TOP);
         let is_within = |eta: Span| (top - eta).is_positive() && (top + eta).is_positive();
-        let [left, right] = [a[0].hull(b[0]).hi(), c[0].hull(d[0]).lo()].map(|place| Curve(vec![place]));
+        let [left, right] = [a[0].hull(b[0]).hi(), c[0].hull(d[0]).lo()].map(Curve::upright);
         [a, b, c, d].iter().all(|corner| is_within(corner[1]))
             && left.is_before(&self.left)
             && self.left.is_before(&self.right)
@@ -123,12 +53,14 @@ pub(super) fn overlap(strips: &[(usize, &Strip)]) -> Option<[usize; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::tube::Chord;
+    use impact_pair_document::{Decimal, MovedDocument};
+
+    use super::super::super::bases::Chord;
     use super::*;
 
     fn document(left: &[&str], right: &[&str]) -> StripDocument {
         let side = |places: &[&str]| places.iter().map(|&place| Decimal::printed(place.to_owned())).collect();
-        StripDocument { left: side(left), right: side(right) }
+        StripDocument { left: side(left), right: side(right), moved: Vec::new() }
     }
 
     fn strip(left: &[&str], right: &[&str]) -> Strip {
@@ -138,32 +70,25 @@ mod tests {
     #[test]
     fn sides_have_some_finite_coefficients() {
         assert!(Strip::read(&document(&["0"], &["1", "2", "3"])).is_some());
-        let many = vec!["0"; MAX_COEFFICIENTS + 1];
+        let many = vec!["0"; 33];
         let bad: [(&[&str], &[&str]); 4] = [(&[], &[]), (&["0"], &[]), (&["0", "1e400"], &["1", "1"]), (&many, &["1"])];
         for (left, right) in bad {
-            assert_eq!(Strip::read(&document(left, right)), None, "{left:?} {right:?}");
+            assert!(Strip::read(&document(left, right)).is_none(), "{left:?} {right:?}");
         }
         assert!(Strip::read(&document(&many[1..], &["1"])).is_some());
     }
 
-    /// The curve is within its bulge of the chord at places in between, and a parabola is that far in the middle.
     #[test]
-    fn a_curve_is_within_its_bulge() {
-        let curve = Curve(vec![0.3, -0.2, 0.7, 0.4, -0.1]);
-        let mut open = vec![Heights::WHOLE];
-        while let Some(heights) = open.pop() {
-            let at = |height: f64| curve.at(Span::point(height)).mid();
-            for part in [0.1, 0.35, 0.5, 0.8] {
-                let chord = at(heights.low) + part * (at(heights.high) - at(heights.low));
-                let own = at(heights.low + part * (heights.high - heights.low));
-                assert!((own - chord).abs() <= curve.bulge(&heights).hi() + 1e-15, "{heights:?} {part}");
-            }
-            if heights.high - heights.low > 0.1 {
-                open.extend(heights.halves());
-            }
+    fn sides_move_with_some_powers() {
+        let read = |all: &[[u32; 2]]| {
+            let side = || vec![Decimal::printed("1".to_owned())];
+            let moved = |&by: &[u32; 2]| MovedDocument { by, left: side(), right: side() };
+            Strip::read(&StripDocument { moved: all.iter().map(moved).collect(), ..document(&["0"], &["1"]) })
+        };
+        assert!(read(&[[1, 0], [0, 1], [8, 8]]).is_some());
+        for bad in [&[[0, 0]][..], &[[9, 0]], &[[1, 1], [1, 0], [1, 1]]] {
+            assert!(read(bad).is_none(), "{bad:?}");
         }
-        let parabola = Curve(vec![0.0, 0.0, 1.0]);
-        assert!((parabola.bulge(&Heights::WHOLE).hi() - TOP * TOP).abs() < 1e-12);
     }
 
     /// The sides reach from below the h-set to above it, and no place is beside it.
