@@ -614,8 +614,8 @@ class Scene:
 
         Words have ``depth`` impacts at most, or as many as about a million boxes times ``effort`` lead to.
         With ``hyperbolic`` also exponents and dimension of the motions of its words: ``document["hyperbolic"]``. With ``no_orbit`` the
-        document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it. The document of one
-        amplitude has a witness, a strip for each word, with which ``check`` proves it; ``no_witness`` leaves it out.
+        document says nothing of the orbit of the scene's own start, as :func:`impact_pair.verify` requires it. The document
+        has a witness, a strip for each word, with which ``check`` proves it; ``no_witness`` leaves it out.
         """
         options = {"depth": depth, "effort": effort, "over": None if over is None else ranged(over), "hyperbolic": hyperbolic}
         options |= {"bases": None if bases is None else json.dumps({"bases": bases}), "no_orbit": no_orbit}

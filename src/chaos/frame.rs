@@ -12,7 +12,12 @@ pub(crate) struct Frame {
     pub along: State,
     pub across: State,
     determinant: Ball,
+    /// Strips reach from below to above all corners of the h-set: to this height, `1 + 2^-k`. Lemma D34
+    pub tall: f64,
 }
+
+/// Corners of h-sets are rounded: strips are at least this much taller than their parallelogram, by a power of two.
+const LEAST_TALL: i32 = -30;
 
 fn point(x: State) -> [Ball; 2] {
     x.map(Ball::exact)
@@ -36,7 +41,14 @@ impl Frame {
         let along = mean(&|i| (r[i] - p[i]) + (s[i] - q[i]));
         let across = mean(&|i| (q[i] - p[i]) + (s[i] - r[i]));
         let determinant = cross(point(along), point(across));
-        Self { centre, along, across, determinant }
+        let frame = Self { centre, along, across, determinant, tall: f64::INFINITY };
+        let heights = [p, q, r, s].map(|corner| frame.place(point(corner), 0.0).map(|[_, eta]| eta));
+        let is_above = |tall: &f64| {
+            let tall = Ball::exact(*tall);
+            heights.iter().all(|eta| eta.is_some_and(|eta| is_positive(tall - eta) && is_positive(tall + eta)))
+        };
+        let tall = (LEAST_TALL..=0).map(|power| 1.0 + f64::powi(2.0, power)).find(is_above); // D34: exact
+        Self { tall: tall.unwrap_or(f64::INFINITY), ..frame } // D34: no strip is as tall
     }
 
     /// Whether the two directions are proved not to be parallel, the second one to the left.

@@ -117,8 +117,9 @@ impl Chaos {
 
     /// Proves the words between these h-sets, each by a strip, and bounds of the entropy.
     pub(super) fn proved(law: &Law, bases: Vec<HSet>, limits: (usize, u64), watch: &dyn Watch) -> Self {
-        let Tried { mut search, depth, is_stopped: is_interrupted } = deepest(law, &bases, limits, watch);
-        let strips = search.keep_witnessed(watch);
+        let middle = law.middle();
+        let Tried { mut search, depth, is_stopped: is_interrupted } = deepest(&middle, &bases, limits, watch);
+        let strips = search.keep_witnessed(law, watch);
         let entropy = entropies(&search);
         let (tubes, boxes) = (search.shown.clone(), search.tally.boxes);
         let words = search.words.iter().map(Word::of).collect();
@@ -238,10 +239,11 @@ impl Horseshoe {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
         }
+        let middle = law.middle();
         let most = (depth.min(QUICK_LIMITS.0), QUICK_LIMITS.1); // proposes: how far to look
         let tried = |&making: &_| {
-            let mut search = Tried::new(law, &bases, making).deepened(most, watch).search;
-            let strips = search.keep_witnessed(watch);
+            let mut search = Tried::new(&middle, &bases, making).deepened(most, watch).search;
+            let strips = search.keep_witnessed(law, watch);
             let words = search.words.iter().map(Word::of).collect();
             let entropy = entropies(&search);
             (entropy[0] > 0.0).then(|| Self { entropy, bases: bases.clone(), words, strips }) // exact: none is proved where it is 0
@@ -250,9 +252,22 @@ impl Horseshoe {
     }
 }
 
+/// Factors by which h-sets are made wider, as intervals of the parameters move images across.
+const WIDTH_FACTORS: [f64; 5] = [1.0, 1.4, 2.0, 4.0, 8.0];
+
+/// H-sets as wide as leads to most entropy for all parameters, or to some entropy, if any does.
+fn widened(law: &Law, bases: Vec<HSet>, (depth, for_most): (usize, bool), watch: &dyn Watch) -> Vec<HSet> {
+    let wider = |factor: &f64| bases.iter().map(|base| base.wider(*factor)).collect::<Vec<HSet>>();
+    let tried = |wider: Vec<HSet>| Horseshoe::quick(law, wider, depth, watch);
+    let found = WIDTH_FACTORS.iter().map(wider).filter_map(tried).take(if for_most { WIDTH_FACTORS.len() } else { 1 });
+    // proposes: any h-sets will do
+    found.max_by(|a, b| a.entropy[0].total_cmp(&b.entropy[0])).map_or(bases.clone(), |found| found.bases)
+}
+
 /// H-sets for the most entropy that is found in these rounds.
 pub(super) fn bases(seen: &AttractorOrbit, law: &Law, depth: usize, rounds: Rounds, watch: &dyn Watch) -> Vec<HSet> {
-    seen.bases(law, ([TRIAL, FINE[1]], depth), rounds, watch)
+    let found = seen.bases(&law.middle(), ([TRIAL, FINE[1]], depth), rounds, watch);
+    if law.is_point() { found } else { widened(law, found, (depth, rounds.most > 1), watch) }
 }
 
 /// Fault of h-sets, in words, or `None` if they are sound. Lemma D9

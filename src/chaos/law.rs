@@ -12,7 +12,20 @@ pub(crate) struct Law {
     pub restitution: Ball,
 }
 
+/// A parameter with a radius below this part of it is one number: a bound of what rounding adds.
+pub(super) const POINT: f64 = 1e-12;
+
 impl Law {
+    /// Whether it is one pair, but for rounding.
+    pub fn is_point(&self) -> bool {
+        [self.gap, self.restitution].iter().all(|all| all.rad() <= POINT * all.mid()) // proposes: whether anything moves with a parameter
+    }
+
+    /// The pair in the middle.
+    pub fn middle(&self) -> Self {
+        Self { gap: Ball::exact(self.gap.mid()), restitution: Ball::exact(self.restitution.mid()) }
+    }
+
     /// `2 pi A/d`: the greatest speed of the box in gap widths per forcing period; `None` where the gap may be 0.
     pub fn beta(&self) -> Option<Ball> {
         Ball::exact(1.0).turn().checked_div(self.gap)

@@ -19,8 +19,8 @@ pub(super) struct Rounds {
     trials: &'static [(usize, u64)],
     /// The last trial if none led to any.
     last: (usize, u64),
-    /// Greatest number of h-sets.
-    most: usize,
+    /// Greatest number of h-sets: more than one where the most entropy is looked for.
+    pub most: usize,
     /// `true` if the search tries bundles of leaves first.
     pub bundled: bool,
     /// `true` if the search tries h-sets from everywhere where saddles lead to none.

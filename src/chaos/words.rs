@@ -175,8 +175,8 @@ impl<'s> Search<'s> {
     }
 
     /// Keeps the words that are proved by strips as well, and returns these, in the same order. Lemma D34
-    pub fn keep_witnessed(&mut self, watch: &dyn Watch) -> Vec<Strip> {
-        let found = strips(self.law, self.bases, &self.words, watch);
+    pub fn keep_witnessed(&mut self, law: &Law, watch: &dyn Watch) -> Vec<Strip> {
+        let found = strips(law, self.bases, &self.words, watch);
         let kept = std::mem::take(&mut self.words).into_iter().zip(found);
         let (words, strips) = kept.filter_map(|(path, strip)| Some((path, strip?))).unzip();
         self.words = words;

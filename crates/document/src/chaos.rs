@@ -138,7 +138,8 @@ pub struct ChaosWitness {
 /// A strip between two curves across an h-set, in the coordinates of the parallelogram that the means of its corners make, about: `xi` from -1 to 1 from left
 /// to right, `eta` from bottom to top.
 ///
-/// Each is a polynomial `xi = c0 + c1 eta + c2 eta^2 + ...`, over `eta` from `-(1 + 2^-30)` to `1 + 2^-30`. Coefficients are read as the nearest doubles.
+/// Each is a polynomial `xi = c0 + c1 eta + c2 eta^2 + ...`, over `eta` from `-h` to `h`, where `h` is the least number `1 + 2^-k`,
+/// `k` at most 30, that is beyond all corners. Coefficients are read as the nearest doubles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct StripDocument {

@@ -113,7 +113,7 @@ impl HSet {
     }
 
     /// The h-set, wider by a factor.
-    pub(super) fn wider(&self, factor: f64) -> Self {
+    pub(in crate::chaos) fn wider(&self, factor: f64) -> Self {
         let chord = |Chord { bottom, top }: Chord| {
             let end = |sign: f64| [0, 1].map(|i| 0.5 * (bottom[i] + top[i] + sign * factor * (top[i] - bottom[i])));
             Chord { bottom: end(-1.0), top: end(1.0) }

@@ -85,7 +85,7 @@ fn a_stretch_is_decided_by_the_h_sets_of_a_neighbour() {
         let horseshoe = part.verdict.horseshoe().expect("one is proved");
         for end in [&part.low, &part.high] {
             let one = Law::of(&scene.pair().with(requested.over.key(), end.clone()).unwrap()).unwrap();
-            let own = Horseshoe::quick(&one, horseshoe.bases.clone(), 8, &Unwatched).expect("it has one by itself");
+            let own = Horseshoe::of(&one, horseshoe.bases.clone(), 8, &Unwatched).expect("it has one by itself");
             assert!(own.entropy[0] >= 0.9 * horseshoe.entropy[0] && horseshoe.entropy[0] > 0.0);
         }
     }

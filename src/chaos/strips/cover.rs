@@ -185,7 +185,7 @@ impl Cover<'_> {
     /// Equally high parts of the strip in which its sides are nearly straight; `None` if there would be too many.
     fn slices(&self, band: &Band) -> Option<Vec<Heights>> {
         let Sides { left, right } = &self.sides;
-        let mut slices = vec![Heights::ALL];
+        let mut slices = vec![Heights::of(self.word.frames[0].tall)];
         loop {
             let is_straight = |slice: &Heights| {
                 let [a, b] = [left, right].map(|curve| curve.at(slice.all()).mid());

@@ -4,8 +4,6 @@ use crate::chaos::flights::is_positive;
 use crate::chaos::law::Law;
 use crate::number::{Ball, Number, UNIT, up};
 
-/// A little more than half of the height of an h-set, in its coordinates: an exact number, and so are its fractions by powers of two.
-pub(super) const TALL: f64 = 1.0 + 1.0 / (1_u64 << 30) as f64; // exact: a power of two
 /// Halvings of the height, and of the parameters, within which two curves are told apart.
 const APART_HALVINGS: [u32; 2] = [12, 3];
 
@@ -40,7 +38,10 @@ struct Term {
 }
 
 impl Heights {
-    pub const ALL: Self = Self { low: -TALL, high: TALL };
+    /// All heights of a strip that is so tall: a number whose fractions by powers of two are exact.
+    pub fn of(tall: f64) -> Self {
+        Self { low: -tall, high: tall }
+    }
 
     pub fn all(&self) -> Ball {
         Ball::new(0.5 * (self.low + self.high), up(0.5 * (self.high - self.low))) // D34: dyadic fractions of the whole height
@@ -68,6 +69,7 @@ impl Part {
     /// Holds the pairs of this part, and what they are among all.
     pub fn of(&self, law: &Law) -> (Law, Shift) {
         let part = |k: usize, all: Ball| {
+            // exact: all of it
             if self.radius[k] == 1.0 {
                 return (all, [Ball::exact(0.0), Ball::exact(1.0)]); // exact: all of it
             }
@@ -157,24 +159,24 @@ impl Curve {
         Self { terms }
     }
 
-    /// Whether it is proved to be on the left of another one at all heights, for each parameter. Lemma D34
-    pub fn is_left_of(&self, other: &Self) -> bool {
+    /// Whether it is proved to be on the left of another one at all these heights, for each parameter. Lemma D34
+    pub fn is_left_of(&self, other: &Self, heights: Heights) -> bool {
         let mut terms = other.terms.clone();
         for Term { by, parts } in &self.terms {
             add(&mut terms, Term { by: *by, parts: parts.iter().map(|&part| -part).collect() });
         }
-        Self { terms }.is_positive(APART_HALVINGS[1])
+        Self { terms }.is_positive(heights, APART_HALVINGS[1])
     }
 
-    /// Whether it is positive at all heights, for all parameters, halved so often at most.
-    fn is_positive(&self, halvings: u32) -> bool {
+    /// Whether it is positive at all these heights, for all parameters, halved so often at most.
+    fn is_positive(&self, all: Heights, halvings: u32) -> bool {
         let least = |heights: &Heights| {
             let of = |term: &Term| value(&term.parts, heights.all());
             let moved = self.terms.iter().filter(|term| term.by != [0, 0]);
             moved.fold(self.at(heights.all()), |sum, term| sum.widened(of(term).mag()))
         };
         let is_above = || {
-            let mut open = vec![(Heights::ALL, 0)];
+            let mut open = vec![(all, 0)];
             while let Some((heights, halved)) = open.pop() {
                 if is_positive(least(&heights)) {
                     continue;
@@ -190,12 +192,12 @@ impl Curve {
         if is_above() {
             return true;
         }
-        let moving = [0, 1].into_iter().find(|&k| !is_still((k + halvings as usize) % 2)); // proposes: any of both
-        let Some(k) = moving.filter(|_| halvings > 0).map(|k| (k + halvings as usize) % 2) else { return false };
+        let moving = [halvings, halvings + 1].map(|k| k as usize % 2).into_iter().find(|&k| !is_still(k)); // proposes: any of both
+        let Some(k) = moving.filter(|_| halvings > 0) else { return false };
         [-0.5, 0.5].into_iter().all(|half| {
             let mut shift = [[Ball::exact(0.0), Ball::exact(1.0)]; 2];
             shift[k] = [half, 0.5].map(Ball::exact);
-            self.on(shift).is_positive(halvings - 1)
+            self.on(shift).is_positive(all, halvings - 1)
         })
     }
 }
@@ -227,7 +229,7 @@ mod tests {
 
     #[test]
     fn a_curve_is_left_of_another_one_at_all_heights() {
-        let is_left = |one: &[f64], two: &[f64]| still(one).is_left_of(&still(two));
+        let is_left = |one: &[f64], two: &[f64]| still(one).is_left_of(&still(two), Heights::of(1.0));
         assert!(is_left(&[0.0, 0.1], &[0.2]) && is_left(&[0.0], &[0.2, 0.1, -0.05]));
         assert!(!is_left(&[0.0, 0.1], &[0.1]) && !is_left(&[0.0, 0.0, 1.0], &[0.9]) && !is_left(&[0.2], &[0.1]));
     }
@@ -240,18 +242,20 @@ mod tests {
             Curve::new(terms.iter().map(|(by, parts)| (*by, &parts[..])))
         };
         let one = moved(0.0, [0.5, -0.3]);
-        assert!(one.is_left_of(&moved(0.02, [0.5, -0.3])) && one.is_left_of(&moved(0.02, [0.508, -0.308])));
-        assert!(!one.is_left_of(&moved(0.02, [0.52, -0.3])) && !one.is_left_of(&moved(0.02, [0.5, -0.33])));
-        // The difference is (1/2 + x)^2 + 1/100, which is positive, but not its parts one by one.
-        let square = [([0, 0], vec![0.26]), ([1, 0], vec![1.0]), ([2, 0], vec![1.0])];
-        assert!(Curve::still(0.0).is_left_of(&Curve::new(square.iter().map(|(by, parts)| (*by, &parts[..])))));
+        let is_left = |other: Curve| one.is_left_of(&other, Heights::of(1.5));
+        assert!(is_left(moved(0.02, [0.5, -0.3])) && is_left(moved(0.02, [0.508, -0.308])));
+        assert!(!is_left(moved(0.02, [0.52, -0.3])) && !is_left(moved(0.02, [0.5, -0.33])));
+        // The difference is (1/2 + x)^2 + 1/10, which is positive, but not its parts one by one.
+        let square = [([0, 0], vec![0.35]), ([1, 0], vec![1.0]), ([2, 0], vec![1.0])];
+        let square = Curve::new(square.iter().map(|(by, parts)| (*by, &parts[..])));
+        assert!(Curve::still(0.0).is_left_of(&square, Heights::of(1.5)));
     }
 
     /// A parabola is as far from its chord in the middle.
     #[test]
     fn bulges_bound_how_far_curves_are_from_their_chords() {
         let curve = still(&[0.1, -0.4, 0.25]);
-        for heights in Heights::ALL.halves() {
+        for heights in Heights::of(1.25).halves() {
             let Heights { low, high } = heights;
             let at = |height: f64| curve.at(Ball::exact(height)).mid();
             let away = (at(0.5 * (low + high)) - 0.5 * (at(low) + at(high))).abs();

@@ -4,11 +4,10 @@
 
 use std::f64::consts::PI;
 
-use super::curve::TALL;
 use super::{Moved, Strip, turns};
 use crate::chaos::frame::Frame;
 use crate::chaos::guess::Guess;
-use crate::chaos::law::Law;
+use crate::chaos::law::{Law, POINT};
 use crate::chaos::quad::State;
 use crate::chaos::vector::{applied, cross, minus, radians};
 use crate::chaos::words::Path;
@@ -36,8 +35,8 @@ const LEAST_CLIMB: f64 = 1e-6;
 const VALUES: usize = 4;
 const MOST_WALKS: usize = 64;
 const LEAST_WALK: f64 = 1.0 / 64.0;
-/// A parameter with a smaller radius, for its size, moves nothing.
-const STILL: f64 = 1e-12;
+/// The middle value of a parameter is 0, but for rounding.
+const MIDDLE: f64 = 1e-12;
 
 /// The image of a state of an h-set in the coordinates of another one, and its derivatives along the h-set and across.
 struct Image {
@@ -136,7 +135,7 @@ impl Finder<'_> {
     /// The curve of the states whose images are at one place along the h-set, followed up and down from near a place in the middle.
     fn curve(&self, target: f64, near: f64) -> Option<Curve> {
         let middle = self.solve(target, near, 0.0)?;
-        let height = |number: usize| TALL * (PI * number as f64 / HEIGHTS as f64).cos();
+        let height = |number: usize| self.frames[0].tall * (PI * number as f64 / HEIGHTS as f64).cos();
         let mut places = [middle.place; HEIGHTS + 1];
         for numbers in [(0..HEIGHTS / 2).rev().collect::<Vec<_>>(), (HEIGHTS / 2 + 1..=HEIGHTS).collect()] {
             let (mut node, mut eta) = (middle, 0.0);
@@ -178,7 +177,7 @@ impl Finder<'_> {
 
     fn radius(&self, parameter: usize) -> f64 {
         let all = [self.law.gap, self.law.restitution][parameter];
-        if all.rad() < STILL * all.mid() { 0.0 } else { all.rad() }
+        if all.rad() <= POINT * all.mid() { 0.0 } else { all.rad() }
     }
 
     /// The curve at a pair of the law's, followed from the middle one on.
@@ -215,7 +214,7 @@ impl Finder<'_> {
         for i in 0..=values[0] {
             for j in 0..=values[1] {
                 let at = [value(0, i), value(1, j)];
-                let is_middle = at.iter().all(|x| x.abs() < STILL);
+                let is_middle = at.iter().all(|x| x.abs() < MIDDLE);
                 all.push(if is_middle { middle.places } else { self.curve_at(target, middle, at)?.places });
             }
         }
@@ -226,13 +225,15 @@ impl Finder<'_> {
         let row = |i: usize| &all[i * (values[1] + 1)..(i + 1) * (values[1] + 1)];
         let by_second: Vec<Vec<[f64; HEIGHTS + 1]>> = (0..=values[0]).map(|i| powers(row(i))).collect();
         let columns = (0..=values[1]).map(|j| powers(&by_second.iter().map(|row| row[j]).collect::<Vec<_>>()));
+        let tall = self.frames[0].tall;
         let mut terms = Vec::new();
         for (j, column) in columns.enumerate() {
             for (i, places) in column.iter().enumerate() {
                 let size = places.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
                 let is_small = i + j > 0 && size < near / (VALUES * VALUES) as f64;
                 if !is_small {
-                    terms.push(([i, j], polynomial(places, if i + j > 0 { near / VALUES as f64 } else { near })?));
+                    terms
+                        .push(([i, j], polynomial(places, if i + j > 0 { near / VALUES as f64 } else { near }, tall)?));
                 }
             }
         }
@@ -335,7 +336,7 @@ fn powers(places: &[[f64; HEIGHTS + 1]]) -> Vec<[f64; HEIGHTS + 1]> {
 }
 
 /// The coefficients of a polynomial through places at the heights, or of one that is as near; `None` if there are too many.
-fn polynomial(places: &[f64; HEIGHTS + 1], near: f64) -> Option<Vec<f64>> {
+fn polynomial(places: &[f64; HEIGHTS + 1], near: f64, tall: f64) -> Option<Vec<f64>> {
     let parts = waves(places);
     let mut count = parts.len();
     let mut left = near;
@@ -343,5 +344,5 @@ fn polynomial(places: &[f64; HEIGHTS + 1], near: f64) -> Option<Vec<f64>> {
         left -= parts[count - 1].abs();
         count -= 1;
     }
-    (count <= MOST_COEFFICIENTS).then(|| coefficients(&parts[..count], TALL))
+    (count <= MOST_COEFFICIENTS).then(|| coefficients(&parts[..count], tall))
 }

@@ -10,7 +10,6 @@ mod find;
 
 use std::iter;
 
-use super::flights::is_positive;
 use super::frame::Frame;
 use super::guess::Guess;
 use super::law::{Law, Side};
@@ -19,7 +18,7 @@ use crate::number::Ball;
 use crate::threads::each;
 use crate::watch::{Stage, Watch};
 use cover::Covering;
-use curve::{Curve, TALL};
+use curve::{Curve, Heights};
 use find::Finder;
 
 /// The part of an h-set between two curves from below to above it, in the coordinates of the h-set: from -1 to 1 along it and across.
@@ -67,8 +66,9 @@ impl Strip {
 
 impl Sides {
     /// Whether this strip and another one of the h-set have no state in common: one is on the left of the other at all heights. Lemma D34
-    fn is_apart(&self, other: &Self) -> bool {
-        self.right.is_left_of(&other.left) || other.right.is_left_of(&self.left)
+    fn is_apart(&self, other: &Self, frame: &Frame) -> bool {
+        let heights = Heights::of(frame.tall);
+        self.right.is_left_of(&other.left, heights) || other.right.is_left_of(&self.left, heights)
     }
 
     /// Whether the strip leads from below the h-set to above it, between its left and its right edge, and has some breadth everywhere.
@@ -77,15 +77,14 @@ impl Sides {
         let corner = |state: [f64; 2]| frame.place(state.map(Ball::exact), 0.0);
         let ends = [base.left, base.right].map(|edge| [edge.bottom, edge.top].map(corner));
         let [Some([a, b]), Some([c, d])] = ends.map(|[bottom, top]| Some([bottom?, top?])) else { return false };
-        let tall = Ball::exact(TALL);
-        let is_in = |[_, eta]: [Ball; 2]| is_positive(tall - eta) && is_positive(tall + eta);
+        let heights = Heights::of(frame.tall);
         // Upper bounds of the places of the left corners, lower ones of those of the right corners.
         let left = [a, b].map(|corner| (corner[0].mid() + corner[0].rad()).next_up()); // D34: upward
         let right = [c, d].map(|corner| (corner[0].mid() - corner[0].rad()).next_down()); // D34: downward
-        [a, b, c, d].into_iter().all(is_in)
-            && left.iter().all(|&left| Curve::still(left).is_left_of(&self.left))
-            && self.left.is_left_of(&self.right)
-            && right.iter().all(|&right| self.right.is_left_of(&Curve::still(right)))
+        frame.tall.is_finite()
+            && left.iter().all(|&left| Curve::still(left).is_left_of(&self.left, heights))
+            && self.left.is_left_of(&self.right, heights)
+            && right.iter().all(|&right| self.right.is_left_of(&Curve::still(right), heights))
     }
 }
 
@@ -116,7 +115,7 @@ pub(super) fn strips(law: &Law, bases: &[HSet], words: &[Path], watch: &dyn Watc
     let mut kept: Vec<(usize, Sides)> = Vec::new();
     for (word, strip) in words.iter().zip(&mut found) {
         let Some(sides) = strip.as_ref().map(Strip::sides) else { continue };
-        if kept.iter().all(|(from, other)| *from != word.from || sides.is_apart(other)) {
+        if kept.iter().all(|(from, other)| *from != word.from || sides.is_apart(other, &frames[word.from])) {
             kept.push((word.from, sides));
         } else {
             *strip = None;
@@ -176,7 +175,11 @@ mod tests {
         let own = |k: &usize, other: &usize| k < other && words[*k].from == words[*other].from;
         let pairs = (0..words.len()).flat_map(|k| (0..words.len()).map(move |other| (k, other)));
         let sides: Vec<Sides> = found.iter().map(Strip::sides).collect();
-        assert!(pairs.filter(|(k, other)| own(k, other)).all(|(k, other)| sides[k].is_apart(&sides[other])));
+        assert!(
+            pairs
+                .filter(|(k, other)| own(k, other))
+                .all(|(k, other)| sides[k].is_apart(&sides[other], &Frame::of(&bases[words[k].from])))
+        );
     }
 
     /// States of a strip fly in doubles as its word says, and come between bottom and top of the h-set, its sides beyond the edges.

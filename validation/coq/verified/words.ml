@@ -18,10 +18,17 @@ let read_no_claims head words =
   let curve place strip key =
     let place = inside place key in
     List.iter (fun (place, part) -> ignore (Expression.bound place (string place part))) (items place (get "" strip key)) in
+  let curves place sides = List.iter (curve place sides) [ "left"; "right" ] in
+  let moved (place, value) =
+    let sides = members place value in
+    only place [ "by"; "left"; "right" ] sides;
+    List.iter (fun (place, power) -> ignore (integer place power)) (items (inside place "by") (get place sides "by"));
+    curves place sides in
   let strip (place, value) =
     let sides = members place value in
-    only place [ "left"; "right" ] sides;
-    List.iter (curve place sides) [ "left"; "right" ] in
+    only place [ "left"; "right"; "moved" ] sides;
+    Option.iter (fun all -> List.iter moved (items (inside place "moved") all)) (List.assoc_opt "moved" sides);
+    curves place sides in
   (match List.assoc_opt "witness" head with
   | None | Some Json.Null -> ()
   | Some value ->

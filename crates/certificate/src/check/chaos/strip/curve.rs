@@ -3,6 +3,8 @@
 use impact_pair_document::{Decimal, MovedDocument};
 
 use super::super::Law;
+use super::super::bases::HSet;
+use super::super::cones::Frame;
 use super::super::span::Span;
 
 /// A curve across an h-set, in the coordinates of its parallelogram: for powers of `D` and `e`, each from -1 to 1, a polynomial of the height.
@@ -31,14 +33,24 @@ pub(super) type Shift = [[Span; 2]; 2];
 const MAX_COEFFICIENTS: usize = 32;
 const MAX_MOVES: usize = 32;
 const MAX_EXPONENT: u32 = 8;
-/// The topmost height, `1 + 2^-30`: corners of h-sets are within it, though they are rounded.
-pub(super) const TOP: f64 = 1.0 + 1.0 / (1_u64 << 30) as f64; // exact: a power of two
+/// The topmost height is `1 + 2^-30` at least, since corners are rounded.
+const HIGHEST: i32 = 30;
 /// Halvings of the whole height where two curves are compared, and of parameters.
 const MAX_HALVINGS: u32 = 16;
 const MAX_CUTS: u32 = 4;
 
 impl Heights {
-    pub const WHOLE: Self = Self { low: -TOP, high: TOP };
+    /// Those up to the least number `1 + 2^-k`, `k` at most 30, that is beyond all corners of an h-set; `None` if there is none.
+    pub fn of(frame: &Frame, base: &HSet) -> Option<Self> {
+        let corners = [base.left.bottom, base.left.top, base.right.bottom, base.right.top];
+        let heights = corners.map(|corner| frame.place(corner.map(Span::point), 0.0).map(|[_, eta]| eta));
+        let is_beyond = |top: &f64| {
+            let top = Span::point(*top);
+            heights.iter().all(|eta| eta.is_some_and(|eta| (top - eta).is_positive() && (top + eta).is_positive()))
+        };
+        let top = (0..=HIGHEST).rev().map(|k| 1.0 + f64::powi(0.5, k)).find(is_beyond)?; // V39: exact
+        Some(Self { low: -top, high: top })
+    }
 
     /// Holds all of them.
     pub fn all(&self) -> Span {
@@ -198,15 +210,15 @@ impl Curve {
         &mut self.moved[number].1
     }
 
-    /// Returns whether it is left of another curve at all heights, for all parameters.
-    pub fn is_before(&self, other: &Self) -> bool {
+    /// Returns whether it is left of another curve at some heights, for all parameters.
+    pub fn is_before(&self, other: &Self, heights: &Heights) -> bool {
         let mut away = other.clone();
         add(&mut away.still, &self.still, Span::point(-1.0));
         self.moved.iter().for_each(|(by, parts)| add(away.part(*by), parts, Span::point(-1.0)));
         let mut open = vec![(Values::ALL, 0)];
         let law = Law { gap: Span::new(-1.0, 1.0), restitution: Span::new(-1.0, 1.0) };
         while let Some((values, cuts)) = open.pop() {
-            if away.of(values.of(&law).1).is_positive() {
+            if away.of(values.of(&law).1).is_positive(heights) {
                 continue;
             }
             let moving = (0..2).map(|k| (k + cuts as usize) % 2).find(|&k| away.moved.iter().any(|(by, _)| by[k] > 0)); // exact: a small number
@@ -216,9 +228,9 @@ impl Curve {
         true
     }
 
-    /// Returns whether it is positive at all heights, whatever the parameters.
-    fn is_positive(&self) -> bool {
-        let mut open = vec![(Heights::WHOLE, 0)];
+    /// Returns whether it is positive at all of some heights, whatever the parameters.
+    fn is_positive(&self, heights: &Heights) -> bool {
+        let mut open = vec![(*heights, 0)];
         while let Some((heights, halvings)) = open.pop() {
             let all = self.moved.iter().map(|(_, parts)| value(parts, heights.all()).around());
             if all.fold(self.at(heights.all()), |sum, x| sum + x).is_positive() {
@@ -237,6 +249,8 @@ impl Curve {
 mod tests {
     use super::*;
 
+    const WHOLE: Heights = Heights { low: -1.5, high: 1.5 };
+
     fn curve(still: &[f64], moved: &[([u32; 2], &[f64])]) -> Curve {
         let parts = |parts: &[f64]| parts.iter().map(|&part| Span::point(part)).collect();
         Curve { still: parts(still), moved: moved.iter().map(|(by, own)| (*by, parts(own))).collect() }
@@ -246,7 +260,7 @@ mod tests {
     #[test]
     fn a_curve_is_within_its_bulge() {
         let bent = curve(&[0.3, -0.2, 0.7, 0.4, -0.1], &[]);
-        let mut open = vec![Heights::WHOLE];
+        let mut open = vec![WHOLE];
         while let Some(heights) = open.pop() {
             let at = |height: f64| bent.at(Span::point(height)).mid();
             for part in [0.1, 0.35, 0.5, 0.8] {
@@ -259,9 +273,9 @@ mod tests {
             }
         }
         let parabola = curve(&[0.0, 0.0, 1.0], &[]);
-        assert!((parabola.bulge(&Heights::WHOLE).hi() - TOP * TOP).abs() < 1e-12);
+        assert!((parabola.bulge(&WHOLE).hi() - 2.25).abs() < 1e-12);
         let moved = curve(&[0.0], &[([0, 1], &[0.0, 0.0, 1.0])]);
-        assert!((moved.bulge(&Heights::WHOLE).hi() - TOP * TOP).abs() < 1e-12);
+        assert!((moved.bulge(&WHOLE).hi() - 2.25).abs() < 1e-12);
     }
 
     /// Places of a curve for some of the parameters are those of all, and within what moves and the rest say.
@@ -296,10 +310,11 @@ mod tests {
     fn curves_that_move_together_are_in_order() {
         let at = |place: f64, by: &[f64], and: &[f64]| curve(&[place, 0.02], &[([1, 0], by), ([0, 1], and)]);
         let one = at(0.0, &[0.4, 0.1], &[-0.2]);
-        assert!(one.is_before(&at(0.01, &[0.4, 0.1], &[-0.2])) && one.is_before(&at(0.01, &[0.403, 0.1], &[-0.203])));
-        assert!(!one.is_before(&at(0.01, &[0.4, 0.11], &[-0.2])) && !one.is_before(&at(0.01, &[0.4, 0.1], &[-0.21])));
-        assert!(!one.is_before(&one) && !one.is_before(&at(0.01, &[0.4, 0.1], &[0.2])));
-        // (1/2 + x)^2 + 1/100
-        assert!(Curve::upright(0.0).is_before(&curve(&[0.26], &[([1, 0], &[1.0]), ([2, 0], &[1.0])])));
+        let is_before = |other: Curve| one.is_before(&other, &WHOLE);
+        assert!(is_before(at(0.01, &[0.4, 0.1], &[-0.2])) && is_before(at(0.01, &[0.403, 0.1], &[-0.203])));
+        assert!(!is_before(at(0.01, &[0.4, 0.11], &[-0.2])) && !is_before(at(0.01, &[0.4, 0.1], &[-0.21])));
+        assert!(!is_before(one.clone()) && !is_before(at(0.01, &[0.4, 0.1], &[0.2])));
+        // (1/2 + x)^2 + 1/10
+        assert!(Curve::upright(0.0).is_before(&curve(&[0.35], &[([1, 0], &[1.0]), ([2, 0], &[1.0])]), &WHOLE));
     }
 }

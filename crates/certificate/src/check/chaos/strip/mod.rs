@@ -225,7 +225,7 @@ impl Proof<'_> {
         let Strip { left, right } = &self.strip;
         // proposes: any number of slices will do
         let part = (BULGES[0] * (band.to - band.from)).max(2.0 * BULGES[0] * allowed).min(BULGES[1]);
-        let mut slices = vec![Heights::WHOLE];
+        let mut slices = vec![Heights::of(&self.cover.frames[self.word.from], &self.cover.bases[self.word.from])?];
         let is_straight = |heights: &Heights| {
             let breadth = right.at(heights.all()).mid() - left.at(heights.all()).mid();
             left.bulge(heights).hull(right.bulge(heights)).most() <= part * breadth

@@ -5,7 +5,7 @@ use impact_pair_document::StripDocument;
 use super::super::bases::HSet;
 use super::super::cones::Frame;
 use super::super::span::Span;
-use super::curve::{Curve, Shift, TOP};
+use super::curve::{Curve, Heights, Shift};
 
 /// The states between two curves, from below an h-set to above it.
 #[derive(Clone, Debug)]
@@ -29,26 +29,27 @@ impl Strip {
 
     /// Returns whether both sides separate the left edge of an h-set from its right one within it, the left side being left of the right one.
     pub fn parts(&self, frame: &Frame, base: &HSet) -> bool {
+        let Some(heights) = Heights::of(frame, base) else { return false };
         let places = [base.left.bottom, base.left.top, base.right.bottom, base.right.top]
             .map(|corner| frame.place(corner.map(Span::point), 0.0));
         let [Some(a), Some(b), Some(c), Some(d)] = places else { return false };
-        let top = Span::point(TOP);
-        let is_within = |eta: Span| (top - eta).is_positive() && (top + eta).is_positive();
         let [left, right] = [a[0].hull(b[0]).hi(), c[0].hull(d[0]).lo()].map(Curve::upright);
-        [a, b, c, d].iter().all(|corner| is_within(corner[1]))
-            && left.is_before(&self.left)
-            && self.left.is_before(&self.right)
-            && self.right.is_before(&right)
+        left.is_before(&self.left, &heights)
+            && self.left.is_before(&self.right, &heights)
+            && self.right.is_before(&right, &heights)
     }
 }
 
 /// The first two of some strips across one h-set that are not proved to have no state in common; each has its sides in order.
-pub(super) fn overlap(strips: &[(usize, &Strip)]) -> Option<[usize; 2]> {
+pub(super) fn overlap(strips: &[(usize, &Strip)], heights: &Heights) -> Option<[usize; 2]> {
     let mut strips = strips.to_vec();
     let middle = |strip: &Strip| strip.left.at(Span::point(0.0)).mid();
     // proposes: an order, in which neighbours are compared
     strips.sort_by(|(_, one), (_, other)| middle(one).total_cmp(&middle(other)));
-    strips.windows(2).find(|pair| !pair[0].1.right.is_before(&pair[1].1.left)).map(|pair| [pair[0].0, pair[1].0])
+    strips
+        .windows(2)
+        .find(|pair| !pair[0].1.right.is_before(&pair[1].1.left, heights))
+        .map(|pair| [pair[0].0, pair[1].0])
 }
 
 #[cfg(test)]
@@ -110,22 +111,26 @@ mod tests {
             assert!(!parts(&even, &left, &right), "{left:?} {right:?}");
         }
         assert!(!parts(&even, &["-0.5", "0", "0", "0", "-0.6"], &["0"]), "beside the h-set at its top and its bottom");
-        // Corners above the topmost places: a curve could pass there.
-        assert!(parts(&base(1e-11), &["-0.9", "0.05"], &["0.9", "-0.05"]));
-        assert!(!parts(&base(1e-9), &["-0.9", "0.05"], &["0.9", "-0.05"]));
+        // An h-set with a corner above its parallelogram: strips reach there as well.
+        let bent = ["-0.9", "0", "0", "0", "-0.01"];
+        assert!(parts(&base(1e-11), &bent, &["0.9"]) && parts(&base(0.1), &["-0.5"], &["0.5"]));
+        assert!(
+            parts(&even, &["-0.9", "0", "-0.09"], &["0.9"]) && !parts(&base(0.1), &["-0.9", "0", "-0.09"], &["0.9"])
+        );
     }
 
     /// Touching is too near.
     #[test]
     fn strips_are_apart_at_all_heights() {
+        let all = Heights { low: -1.0, high: 1.0 };
         let low = strip(&["-0.5"], &["0", "0.1"]);
         let next = strip(&["0.05", "0.08", "0.05"], &["0.3"]);
         let bent = strip(&["0.05", "0.08", "-0.05"], &["0.3"]);
         let touching = strip(&["0", "0.1"], &["0.2"]);
         let last = strip(&["0.4", "-0.05"], &["0.5"]);
-        assert_eq!(overlap(&[(7, &last), (3, &low), (5, &next)]), None);
-        assert_eq!(overlap(&[(7, &last), (3, &low), (5, &bent)]), Some([3, 5]));
-        assert_eq!(overlap(&[(3, &low), (5, &touching)]), Some([3, 5]));
-        assert_eq!(overlap(&[(3, &low), (5, &low)]), Some([3, 5]));
+        assert_eq!(overlap(&[(7, &last), (3, &low), (5, &next)], &all), None);
+        assert_eq!(overlap(&[(7, &last), (3, &low), (5, &bent)], &all), Some([3, 5]));
+        assert_eq!(overlap(&[(3, &low), (5, &touching)], &all), Some([3, 5]));
+        assert_eq!(overlap(&[(3, &low), (5, &low)], &all), Some([3, 5]));
     }
 }

@@ -14,6 +14,11 @@ fn document() -> Value {
     serde_json::from_str(include_str!("words.json")).expect("a document")
 }
 
+/// 15 words for all amplitudes from 7.99 to 8.01.
+fn over_a_range() -> Value {
+    serde_json::from_str(include_str!("range.json")).expect("a document")
+}
+
 /// The verdict of `check`, in words.
 fn said(document: &Value) -> String {
     let Ok(claims) = Claims::parse(&document.to_string()) else { return "unreadable".into() };
@@ -140,18 +145,19 @@ fn coefficients_are_decimals() {
     assert_eq!(said(&document), "unreadable");
 }
 
-/// The words, their strips, and the h-sets.
-fn listed() -> (Vec<HSet>, Vec<(Word, Strip)>) {
-    let document: ChaosDocument = serde_json::from_value(document()).expect("a document");
-    let words = document.words.iter().map(|word| Word {
-        from: word.from as usize,
-        to: word.to as usize,
-        half_cycles: word.half_cycles,
-        flights: word.flights.chars().map(|wall| wall == 'F').collect(),
-    });
+/// The h-sets of a document, the words and their strips.
+fn read(document: Value) -> (Vec<HSet>, Vec<(Word, Strip)>) {
+    let document: ChaosDocument = serde_json::from_value(document).expect("a document");
+    let bases = document.bases.iter().map(|base| HSet::of(&base.corners)).collect::<Vec<_>>();
+    let words = document.words.iter().map(|word| Word::of(word, bases.len()).expect("a word"));
     let strips = document.witness.expect("a witness").strips;
     let strips = strips.iter().map(|strip| Strip::read(strip).expect("a strip"));
-    (document.bases.iter().map(|base| HSet::of(&base.corners)).collect(), words.zip(strips).collect())
+    let words = words.zip(strips).collect();
+    (bases, words)
+}
+
+fn listed() -> (Vec<HSet>, Vec<(Word, Strip)>) {
+    read(document())
 }
 
 fn is_proved(bases: &[HSet], word: &Word, strip: &Strip) -> bool {
@@ -210,43 +216,87 @@ fn left_of(from: State, to: State, [u, w]: State) -> f64 {
     (to[0] - from[0]) * (w - from[1]) - (to[1] - from[1]) * (u - from[0])
 }
 
-/// States of a proved strip fly as the word says, and both sides land beyond the edges: by flights in doubles.
+/// States of proved strips fly as their words say, and both sides land beyond the edges: by flights in doubles.
 #[test]
 fn states_of_a_proved_strip_fly_as_the_word_says() {
     let (bases, words) = listed();
     let guess = Guess::new(&figure_14());
-    let mut count = 0;
-    for (word, strip) in &words {
-        let (frame, base) = (Frame::of(&bases[word.from]), bases[word.to]);
-        let far = word.flights.iter().filter(|&&is_far| is_far).count() as f64;
-        let turns = 0.5 * (word.half_cycles as f64 + far);
-        let last = |across: f64, height: f64| {
-            let [left, right] = [&strip.left, &strip.right].map(|side| side.at(Span::point(height)).mid());
-            let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
-            let mut state = [0, 1].map(|i| frame.centre[i] + xi * frame.along[i] + height * frame.across[i]);
-            for &is_far in &word.flights {
-                let image = guess.map(state).expect("a flight");
-                assert_eq!(image.is_far, is_far, "{word:?}");
-                state = image.state;
-            }
-            [state[0] - turns, state[1]]
-        };
-        let mut sides = [[0; 2]; 2];
-        for (i, j) in (-8..=8_i32).flat_map(|i| (-20..=20).map(move |j| (i, j))) {
-            let end = last(f64::from(i) / 8.0, f64::from(j) / 20.0);
-            assert!(left_of(base.left.bottom, base.right.bottom, end) > 0.0, "{word:?}");
-            assert!(left_of(base.left.top, base.right.top, end) < 0.0, "{word:?}");
-            if i.abs() == 8 {
-                let beyond = [
-                    left_of(base.left.bottom, base.left.top, end) > 0.0,
-                    left_of(base.right.bottom, base.right.top, end) < 0.0,
-                ];
-                assert_ne!(beyond[0], beyond[1], "{word:?}");
-                sides[usize::from(i > 0)][usize::from(beyond[1])] += 1;
-            }
-            count += 1;
-        }
-        assert!(sides == [[41, 0], [0, 41]] || sides == [[0, 41], [41, 0]], "{word:?} {sides:?}");
+    words.iter().for_each(|(word, strip)| flies(&bases, word, strip, &guess));
+}
+
+/// So they do at some amplitudes of a range, with the strips that are there then.
+#[test]
+fn states_of_strips_that_move_fly_as_their_words_say() {
+    let (bases, words) = read(over_a_range());
+    assert!(
+        words.iter().filter(|(_, strip)| strip.of([[0.5; 2].map(Span::point); 2]).left.moves(0.0)[0] != 0.0).count()
+            > 10
+    );
+    let [low, high] = [9.42497 / 8.01, 9.42497 / 7.99];
+    for part in [-1.0, -0.4, 0.0, 0.7, 1.0] {
+        let gap = Span::point(0.5 * ((1.0 - part) * low + (1.0 + part) * high));
+        let guess = Guess::new(&Law { gap, restitution: Span::point(0.5) });
+        let shift = [[Span::point(part), Span::point(0.0)], [Span::point(0.0); 2]];
+        words.iter().for_each(|(word, strip)| flies(&bases, word, &strip.of(shift), &guess));
     }
-    assert!(count > 1000, "{count}");
+}
+
+/// States of a strip land between bottom and top, and those of both sides beyond the edges, one on each.
+fn flies(bases: &[HSet], word: &Word, strip: &Strip, guess: &Guess) {
+    let (frame, base) = (Frame::of(&bases[word.from]), bases[word.to]);
+    let far = word.flights.iter().filter(|&&is_far| is_far).count() as f64;
+    let turns = 0.5 * (word.half_cycles as f64 + far);
+    let last = |across: f64, height: f64| {
+        let [left, right] = [&strip.left, &strip.right].map(|side| side.at(Span::point(height)).mid());
+        let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
+        let mut state = [0, 1].map(|i| frame.centre[i] + xi * frame.along[i] + height * frame.across[i]);
+        for &is_far in &word.flights {
+            let image = guess.map(state).expect("a flight");
+            assert_eq!(image.is_far, is_far, "{word:?}");
+            state = image.state;
+        }
+        [state[0] - turns, state[1]]
+    };
+    let mut sides = [[0; 2]; 2];
+    for (i, j) in (-8..=8_i32).flat_map(|i| (-20..=20).map(move |j| (i, j))) {
+        let end = last(f64::from(i) / 8.0, f64::from(j) / 20.0);
+        assert!(left_of(base.left.bottom, base.right.bottom, end) > 0.0, "{word:?}");
+        assert!(left_of(base.left.top, base.right.top, end) < 0.0, "{word:?}");
+        if i.abs() == 8 {
+            let beyond = [
+                left_of(base.left.bottom, base.left.top, end) > 0.0,
+                left_of(base.right.bottom, base.right.top, end) < 0.0,
+            ];
+            assert_ne!(beyond[0], beyond[1], "{word:?}");
+            sides[usize::from(i > 0)][usize::from(beyond[1])] += 1;
+        }
+    }
+    assert!(sides == [[41, 0], [0, 41]] || sides == [[0, 41], [41, 0]], "{word:?} {sides:?}");
+}
+
+/// Over a range strips have to move, and as the words do.
+#[test]
+fn strips_that_do_not_move_as_their_words_prove_nothing() {
+    let all = over_a_range();
+    assert!(said(&all).starts_with("confirmed: 15 words"), "{}", said(&all));
+    let with = |change: &dyn Fn(&mut Value)| {
+        let mut other = all.clone();
+        other["witness"]["strips"].as_array_mut().unwrap().iter_mut().for_each(change);
+        said(&other)
+    };
+    let still = with(&|strip| drop(strip.as_object_mut().unwrap().remove("moved")));
+    assert!(still.starts_with("undecided: words["), "{still}");
+    let of_the_other = with(&|strip| {
+        for moved in strip["moved"].as_array_mut().into_iter().flatten() {
+            let [gap, restitution] = [0, 1].map(|k| moved["by"][k].clone());
+            moved["by"] = json!([restitution, gap]);
+        }
+    });
+    assert!(of_the_other.starts_with("undecided: words["), "{of_the_other}");
+    let twice = with(&|strip| {
+        for moved in strip["moved"].as_array_mut().into_iter().flatten() {
+            moved["left"] = json!(["0.01"]);
+        }
+    });
+    assert!(twice.starts_with("undecided: words["), "{twice}");
 }

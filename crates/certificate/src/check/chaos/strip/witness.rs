@@ -11,6 +11,7 @@ use super::super::allowance::{Allowance, End};
 use super::super::bases::HSet;
 use super::super::judge::shortfall;
 use super::super::words::Word;
+use super::curve::Heights;
 use super::side::overlap;
 use super::{Cover, Strip};
 use crate::check::Verdict;
@@ -56,7 +57,7 @@ pub(in crate::check::chaos) fn left_open(
     };
     let proved_until = |end: usize| progress(end.min(first.load(Ordering::Relaxed))); // exact: of two numbers of words
     let reasons = in_blocks(0..words.len(), BLOCK_SIZE, answer, proved_until)?;
-    if let Some([one, other]) = overlapping(words, &strips, &reasons, bases.len()) {
+    if let Some([one, other]) = overlapping(&cover, words, &strips, &reasons) {
         let message =
             format!("words[{one}] and words[{other}]: their strips are not proved to have no state in common");
         return Ok(Some(Doubt::Open(message).on(other)));
@@ -67,12 +68,18 @@ pub(in crate::check::chaos) fn left_open(
 }
 
 /// Two of the proved words from one h-set whose strips are not proved to have no state in common, the first one listed first.
-fn overlapping(words: &[Word], strips: &[Option<Strip>], reasons: &[Option<&str>], bases: usize) -> Option<[usize; 2]> {
-    let found = (0..bases).find_map(|from| {
+fn overlapping(
+    cover: &Cover,
+    words: &[Word],
+    strips: &[Option<Strip>],
+    reasons: &[Option<&str>],
+) -> Option<[usize; 2]> {
+    let found = (0..cover.bases.len()).find_map(|from| {
         let is_own = |number: &usize| words[*number].from == from && reasons[*number].is_none();
         let own: Vec<_> =
             (0..words.len()).filter(is_own).filter_map(|number| Some((number, strips[number].as_ref()?))).collect();
-        overlap(&own)
+        // No strip of an h-set without such heights is proved.
+        overlap(&own, &Heights::of(&cover.frames[from], &cover.bases[from])?)
     })?;
     let [a, b] = found;
     Some([a.min(b), a.max(b)]) // exact: of two numbers
