@@ -6,13 +6,14 @@ use std::iter;
 use num_traits::ToPrimitive;
 
 use impact_pair_document::{
-    BaseDocument, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, Corner, CornersDocument, Decimal, EnteredDocument,
-    EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, MovedDocument, NotNegative, PROGRAM,
-    ParameterRange, PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument, StripDocument, TRAP_SCHEMA,
-    TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
+    BaseDocument, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, ConeWordDocument, ConesWitness, Corner, CornersDocument,
+    Decimal, EnteredDocument, EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, MovedDocument,
+    NotNegative, PROGRAM, ParameterRange, PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument,
+    StripDocument, TRAP_SCHEMA, TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
 };
 
 use super::blocks::Word as Block;
+use super::hyperbolic::WordProof;
 use crate::chaos::{Asymptotics, Chaos, Chord, HSet, Hyperbolic, HyperbolicSet, Moved, Strip, Trap, WallWords};
 use crate::exact::{Enclosure, decimal_bounds_f64, decimal_f64};
 use crate::mapping::Word;
@@ -99,7 +100,10 @@ impl Chaos {
             exponent_seen: self.exponent(),
             hyperbolic: set.map(|set| set.as_ref().ok().map(hyperbolic)),
             left_out: left_out.collect(),
-            witness: Some(ChaosWitness { strips: self.strips().iter().map(strip).collect() }),
+            witness: Some(ChaosWitness {
+                strips: self.strips().iter().map(strip).collect(),
+                cones: set.and_then(|set| set.as_ref().ok()).map(cones),
+            }),
         }
     }
 }
@@ -111,6 +115,28 @@ pub(super) fn word(word: &Block) -> WordDocument {
         impacts: word.walls.len() as u32,
         half_cycles: word.half_cycles,
         flights: flights(&word.walls),
+    }
+}
+
+/// Returns what a hyperbolic set is proved with.
+fn cones(set: &Hyperbolic) -> ConesWitness {
+    let number = |x: f64| Decimal::printed(decimal_f64(x));
+    let word = |word: &WordProof| ConeWordDocument {
+        left: word.strip.left.map(number),
+        right: word.strip.right.map(number),
+        rises: word.rises,
+        counts: word.counts,
+    };
+    let written = hyperbolic(set).dimension;
+    // Both parts of the dimension share what its bounds are rounded by.
+    let unstable = [0, 1].map(|end| {
+        let rounded = written[end].value().to_f64().unwrap_or(f64::NAN) - set.dimension[end];
+        number(set.proof.unstable[end] + 0.5 * rounded)
+    });
+    ConesWitness {
+        words: set.proof.words.iter().map(word).collect(),
+        letters: set.proof.letters.map(|letters| letters as u32), // exact: a few
+        unstable,
     }
 }
 

@@ -126,13 +126,45 @@ pub struct ChaosDocument {
     pub witness: Option<ChaosWitness>,
 }
 
-/// A strip for each word, in their order: every curve from left to right in the h-set that the word starts in crosses it.
+/// Strips of the words, and what the hyperbolic set is proved with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct ChaosWitness {
-    /// The strips.
+    /// A strip for each word, in their order: every curve from left to right in the h-set that the word starts in crosses it.
     #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
     pub strips: Vec<StripDocument>,
+    /// What the hyperbolic set is proved with, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cones: Option<ConesWitness>,
+}
+
+/// What the cones and the rates of a hyperbolic set are proved with.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ConesWitness {
+    /// The words of the set, in their order.
+    #[cfg_attr(feature = "schemas", schemars(length(max = MOST_WORDS)))]
+    pub words: Vec<ConeWordDocument>,
+    /// Expansion is bounded along strings of this many words: of all words of the set, and of those that count for the lower bound of the dimension.
+    pub letters: [u32; 2],
+    /// The parts of the bounds of the dimension that are along the expanding direction, about.
+    pub unstable: [Decimal; 2],
+}
+
+/// A word of a hyperbolic set, with a strip between two straight sides, in the coordinates of [`StripDocument`]: each side by its place at the middle
+/// height, and by how far it is from there at the top. Numbers are read as the nearest doubles.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+pub struct ConeWordDocument {
+    /// The left side.
+    pub left: [Decimal; 2],
+    /// The right side.
+    pub right: [Decimal; 2],
+    /// Whether the image of the strip runs from left to right.
+    pub rises: bool,
+    /// Whether the word counts for the lower bound of the dimension: no motion of the set is on its way along the word where another word of the set
+    /// begins.
+    pub counts: bool,
 }
 
 /// A strip between two curves across an h-set, in the coordinates of the parallelogram that the means of its corners make, about: `xi` from -1 to 1 from left

@@ -2,7 +2,7 @@
 
 use super::left_out::{LeftOut, MOST_CELLS};
 use super::sides::Sides;
-use super::strip::{Branch, Cell, Image, Map, Passed, Strip, beside};
+use super::strip::{Branch, Cell, Image, Map, Passed, beside};
 use crate::chaos::flights::is_positive;
 use crate::chaos::frame::{Frame, least};
 use crate::number::{Ball, Number, up};
@@ -87,8 +87,7 @@ type Condition<'w> = (Passed<'w>, &'w dyn Fn(&Image) -> bool);
 
 /// Whether a curve with slopes up to `kappa` meets each side of the strip once. Lemma D26
 pub(crate) fn is_flat(branch: &Branch, kappa: f64) -> bool {
-    let Strip { slope, taper, .. } = branch.strip;
-    up(kappa * up(slope.abs() + taper.abs())) < 1.0
+    [branch.strip.left, branch.strip.right].iter().all(|[_, slope]| up(kappa * slope.abs()) < 1.0)
 }
 
 /// Whether the whole image is between bottom and top of the h-set, and the images of the strip's sides are beyond its edges. Lemma D25
@@ -147,7 +146,7 @@ impl<'b> Shortcut<'b> {
         else {
             return false;
         };
-        let [place, slope] = self.branch.strip.line(0.0);
+        let [place, slope] = self.branch.strip.line(Ball::exact(0.0));
         let above = middle[1].widened(up(breadth[1].mag() + height[1].mag()));
         let reach = up(beside(breadth, slope).mag() + beside(height, slope).mag());
         let beside = (beside(middle, slope) - place).widened(reach);

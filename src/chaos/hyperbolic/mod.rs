@@ -32,7 +32,7 @@ use cones::Proved;
 pub use left_out::{LeftOut, why_left_out};
 use root::{Edge, ratios, root};
 use strings::{EMPTY_BOUNDS, Strings, ends, hull, spanned};
-use strip::{Branch, Map};
+use strip::{Branch, Map, StraightStrip};
 
 /// The greatest slope of the cones, in the coordinates of an h-set.
 const KAPPA: f64 = 64.0;
@@ -67,6 +67,8 @@ pub struct Hyperbolic {
     pub words: Vec<usize>,
     /// Strips of the words, in order: left and right side, each by its places at the bottom and at the top of its h-set, from -1 to 1.
     pub strips: Vec<[[f64; 2]; 2]>,
+    /// What it is proved with.
+    pub(super) proof: Proof,
     /// The other words of the horseshoe, and the reasons why they are left out.
     pub left_out: Vec<(usize, LeftOut)>,
     /// Bounds of the topological entropy, per impact and per forcing period.
@@ -77,6 +79,27 @@ pub struct Hyperbolic {
     pub second: [f64; 2],
     /// Bounds of the Hausdorff dimension.
     pub dimension: [f64; 2],
+}
+
+/// What a hyperbolic set is proved with: for `check`, which proves it again.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Proof {
+    /// The words of the set, in order.
+    pub words: Vec<WordProof>,
+    /// Number of words of the strings that are bounded: of all words, and of those that count for the lower bound of the dimension.
+    pub letters: [usize; 2],
+    /// Parts of the bounds of the dimension that are along the expanding direction.
+    pub unstable: [f64; 2],
+}
+
+/// What a word of the set is proved with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct WordProof {
+    pub strip: StraightStrip,
+    /// Whether `xi` grows along the image.
+    pub rises: bool,
+    /// Whether the word counts for the lower bound of the dimension: it is alone, and other such words lead to it and back. Lemma D28
+    pub counts: bool,
 }
 
 /// A hyperbolic set, or the words that are left out, with the reasons, where none is proved.
@@ -120,10 +143,21 @@ impl Hyperbolic {
         let alone: Vec<bool> = each(&all, &|word: &Proved| map.is_alone(word, &all, &heights, &watch));
         let own = all.iter().zip(&alone).filter(|(_, alone)| **alone).map(|(word, _)| word.clone()).collect();
         let own = recurrent(own, frames.len());
+        // D28: where words may be seen in two ways, the sum bounds it from above only
         let inner = if own.len() == all.len() {
-            Some(measured.dimension)
+            Some(measured.strings)
         } else {
-            Measured::of(&map, &own, &watch).map(|own| own.dimension)
+            Measured::of(&map, &own, &watch).map(|own| own.strings)
+        };
+        let word = |word: &Proved| WordProof {
+            strip: word.branch.strip,
+            rises: word.branch.rises,
+            counts: own.iter().any(|own| own.number == word.number),
+        };
+        let proof = Proof {
+            words: all.iter().map(word).collect(),
+            letters: [measured.strings.letters, inner.map_or(1, |inner| inner.letters)],
+            unstable: [inner.map_or(0.0, |inner| inner.dimensions[0][0]), measured.strings.dimensions[0][1]],
         };
         let twice = Ball::exact(2.0) * log;
         let [low, high] = measured.exponents[0].map(|x| ends(twice - Ball::exact(x)));
@@ -132,14 +166,30 @@ impl Hyperbolic {
             cells: all.iter().map(|word| word.images.len()).sum(),
             cones: all.iter().flat_map(|word| word.cones(measured.slopes_at(word.branch.from, &all))).collect(),
             words: all.iter().map(|word| word.number).collect(),
-            strips: all.iter().map(|word| word.branch.strip.sides()).collect(),
+            strips: all.iter().map(|word| word.branch.strip.ends()).collect(),
+            proof,
             left_out: left_out.into_iter().collect(),
             entropy: measured.entropy,
             exponents: measured.exponents,
             second: [high[0], low[1]],
-            // D28: where words may be seen in two ways, the sum bounds it from above only
-            dimension: [inner.map_or(0.0, |inner| inner[0]), measured.dimension[1]],
+            dimension: [inner.map_or(0.0, |inner| inner.dimension()[0]), measured.strings.dimension()[1]],
         })
+    }
+}
+
+/// Strings of words, by the number of their words, and bounds of the dimension along the expanding direction, and along the contracting one.
+/// Lemma D28
+#[derive(Clone, Copy, Debug)]
+struct StringBounds {
+    letters: usize,
+    dimensions: [[f64; 2]; 2],
+}
+
+impl StringBounds {
+    /// Bounds of the sum of both dimensions.
+    fn dimension(&self) -> [f64; 2] {
+        let [[low, high], [least, most]] = self.dimensions;
+        [(low + least).next_down(), (high + most).next_up()]
     }
 }
 
@@ -210,7 +260,7 @@ fn heights(words: &[Proved], bases: usize) -> Vec<Ball> {
 struct Measured {
     entropy: [[f64; 2]; 2],
     exponents: [[f64; 2]; 2],
-    dimension: [f64; 2],
+    strings: StringBounds,
     /// Bounds of the slopes of the expanding directions where each word leads to.
     slopes: Vec<[f64; 2]>,
 }
@@ -228,7 +278,7 @@ impl Measured {
             return None; // exact: nothing is certified
         }
         let half_cycles = |word: usize| words[word].branch.half_turns as f64; // exact: a small integer
-        let (graph, slopes) = Strings { map, words, kappa: KAPPA, watch }.graph()?;
+        let (graph, slopes, letters) = Strings { map, words, kappa: KAPPA, watch }.graph()?;
         let by_impacts: Vec<Edge> = graph.iter().map(|(edge, _)| *edge).collect();
         // exact: halves
         let by_cycles: Vec<Edge> =
@@ -241,7 +291,7 @@ impl Measured {
             Edge { weight: [least[0], most[1]], ..*edge }
         };
         let stable: Vec<Edge> = by_impacts.iter().map(contracting).collect();
-        let ([low, high], [least, most]) = (root(&by_impacts)?, root(&stable)?);
+        let dimensions = [root(&by_impacts)?, root(&stable)?];
         let between = |length: &dyn Fn(usize) -> f64| -> Vec<Edge> {
             let edge = |word: usize| {
                 let Branch { from, to, .. } = words[word].branch;
@@ -255,7 +305,7 @@ impl Measured {
             // exact: doubled
             entropy: [impacts, halves.map(|x| 2.0 * x)],
             exponents: [ratios(&by_impacts), ratios(&by_cycles)],
-            dimension: [(low + least).next_down(), (high + most).next_up()],
+            strings: StringBounds { letters, dimensions },
             slopes,
         })
     }

@@ -2,7 +2,7 @@
 //!
 //! Labels: proposes throughout.
 
-use super::strip::{Branch, Strip};
+use super::strip::{Branch, StraightStrip};
 use crate::chaos::blocks::Word;
 use crate::chaos::frame::Frame;
 use crate::chaos::guess::Guess;
@@ -17,8 +17,10 @@ const MIN_DISTANCE: f64 = 1e-9;
 const FIRST_PARTS: usize = 256;
 /// Places, a half length being 1, to which the sides of a strip are mapped beyond the edges of the h-set that is covered: each is tried.
 const SIDE_IMAGES: [f64; 3] = [1.006, 1.002, 1.0005];
-/// Part of a strip's breadth that is added on either side, as the sides are straight.
+/// Part of a strip's breadth that is added on either side, as the sides are straight, and as they are decimals.
 const WIDTH_MARGIN: f64 = 2e-4;
+/// Sides have as many decimals as make this part of a strip's breadth.
+const FINE: f64 = 2e-5;
 const STEPS: usize = 40;
 
 /// A state on the middle line of an h-set, and its images.
@@ -102,7 +104,7 @@ impl Line<'_> {
         None
     }
 
-    fn strip(&self, word: &ListedWord, ends: [f64; 2], sign: f64) -> Option<Strip> {
+    fn strip(&self, word: &ListedWord, ends: [f64; 2], sign: f64) -> Option<StraightStrip> {
         SIDE_IMAGES.iter().find_map(|beyond| {
             let row = |end: usize, eta: f64| self.solve(word, sign * (2.0 * end as f64 - 1.0) * beyond, ends[end], eta);
             let rows: Vec<[f64; 2]> =
@@ -113,9 +115,11 @@ impl Line<'_> {
             let spare = WIDTH_MARGIN * (rows[1][1] - rows[1][0]);
             let low = straight(0).fold(f64::INFINITY, f64::min) - spare;
             let high = straight(1).fold(f64::NEG_INFINITY, f64::max) + spare;
-            let half = |[a, b]: [f64; 2]| [0.5 * (a + b), 0.5 * (b - a)];
-            let ([middle, half], [slope, taper]) = (half([low, high]), half(slopes));
-            let strip = Strip { middle, slope, half, taper };
+            let digits = (FINE * (high - low)).log10().floor().abs() as usize;
+            // Decimals, so that the strip that is proved is the one that a document has.
+            let short = |part: f64| format!("{part:.digits$}").parse::<f64>().ok();
+            let side = |place: f64, slope: f64| Some([short(place)?, short(slope)?]);
+            let strip = StraightStrip { left: side(low, slopes[0])?, right: side(high, slopes[1])? };
             strip.is_inside().then_some(strip)
         })
     }

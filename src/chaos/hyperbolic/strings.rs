@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::Cone;
 use super::cones::Proved;
 use super::root::Edge;
-use super::strip::{Branch, Cell, Image, Map, Strip, beside};
+use super::strip::{Branch, Cell, Image, Map, StraightStrip, beside};
 use crate::chaos::flights::is_positive;
 use crate::number::{Ball, Number, logarithm, up};
 use crate::watch::Watch;
@@ -106,11 +106,11 @@ pub(crate) struct Strings<'s> {
 
 impl Strings<'_> {
     /// Part of a cell that holds all states mapped to the points of a strip with `a` between bounds; `None` if there are none.
-    fn narrowed(&self, image: &Image, strip: &Strip, breadth: [f64; 2]) -> Option<Cell> {
+    fn narrowed(&self, image: &Image, strip: &StraightStrip, breadth: [f64; 2]) -> Option<Cell> {
         let Image { cell, middle, sides, .. } = image;
         // About the line in the middle between both bounds.
         let line = 0.5 * (breadth[0] + breadth[1]);
-        let [place, slope] = strip.line(line);
+        let [place, slope] = strip.line(Ball::exact(line));
         let half = strip.breadth(image.spread(1)) * (Ball::exact(breadth[1]) - Ball::exact(breadth[0]));
         let [along, across] = sides.both().map(|side| beside(side, slope));
         // The line is off by its rounding: all of the difference is more than half of it.
@@ -150,22 +150,22 @@ impl Strings<'_> {
     }
 
     /// Graph of strings: an edge for each word alone, or with a word before it and some after it. An edge weighs the logarithm of its
-    /// word's expansion; its length is the word's impacts. Also the slopes of the expanding directions where each word leads to.
-    pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>)> {
+    /// word's expansion; its length is the word's impacts. Also the slopes of the expanding directions where each word leads to, and the
+    /// number of words of a string.
+    pub fn graph(&self) -> Option<(Graph, Vec<[f64; 2]>, usize)> {
         let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Cylinder::of(inside(proved))));
         let mut level: Level = alone.collect();
         let mut slopes = self.slopes(&level, &vec![[-self.kappa, self.kappa]; self.words.len()])?;
         let mut graph = self.edges(&level, &slopes)?;
-        for letters in 1..MOST_LETTERS {
-            if !self.watch.goes_on() || !self.is_worth_it(&level) {
-                break;
-            }
+        let mut letters = 1;
+        while letters < MOST_LETTERS && self.watch.goes_on() && self.is_worth_it(&level) {
             level = if letters == 1 { self.pairs(&level) } else { self.longer(&level) };
             slopes = self.slopes(&level, &slopes)?;
             graph = self.edges(&level, &slopes)?;
+            letters += 1;
         }
-        Some((graph, slopes))
+        Some((graph, slopes, letters))
     }
 
     /// Whether strings with another word before them are few enough; any answer is sound.

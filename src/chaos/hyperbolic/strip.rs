@@ -8,13 +8,13 @@ use crate::chaos::law::{Law, Side};
 use crate::chaos::quad::Quad;
 use crate::number::{Ball, Number, UNIT, up};
 
-/// The states `xi = middle + slope eta + a (half + taper eta)`, `|a|, |eta| <= 1`, of an h-set, all numbers exact.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Strip {
-    pub middle: f64,
-    pub slope: f64,
-    pub half: f64,
-    pub taper: f64,
+/// The states of an h-set between two straight sides: each is `xi = place + slope eta`, `|eta| <= 1`, both numbers exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StraightStrip {
+    /// Place at the middle height and slope of the left side, in the coordinates of the h-set.
+    pub left: [f64; 2],
+    /// Those of the right side.
+    pub right: [f64; 2],
 }
 
 /// A word with its strip: where it comes from and leads to, its flights, its whole forcing periods, and whether `xi` grows along it.
@@ -25,7 +25,7 @@ pub(crate) struct Branch {
     pub sides: Vec<Side>,
     pub half_turns: i64,
     pub turns: f64,
-    pub strip: Strip,
+    pub strip: StraightStrip,
     pub rises: bool,
 }
 
@@ -53,42 +53,42 @@ pub(crate) struct Lost {
     sides: Sides,
 }
 
-impl Strip {
+impl StraightStrip {
     /// Whether the strip lies in its h-set, and has some breadth everywhere. Lemma D25
     pub fn is_inside(&self) -> bool {
-        let Self { middle, slope, half, taper } = *self;
-        up(middle.abs() + slope.abs() + half.abs() + taper.abs()) < 1.0 && half > taper.abs()
+        let is_in = |[place, slope]: [f64; 2]| up(place.abs() + slope.abs()) < 1.0;
+        let is_broad = |eta: f64| is_positive(self.breadth(Ball::exact(eta)));
+        is_in(self.left) && is_in(self.right) && is_broad(-1.0) && is_broad(1.0)
     }
 
     /// Whether the strip has no state in common with another strip of the h-set: it is on one side at both ends. Lemma D25
     pub fn is_apart(&self, other: &Self) -> bool {
-        let is_right = |one: &Self, two: &Self| {
-            [-1.0, 1.0].iter().all(|&eta| {
-                let eta = Ball::exact(eta);
-                let [[left, right_slope], [right, left_slope]] = [one.line(-1.0), two.line(1.0)];
-                is_positive(left + right_slope * eta - right - left_slope * eta)
-            })
-        };
+        let at = |[place, slope]: [f64; 2], eta: f64| Ball::exact(place) + Ball::exact(slope) * Ball::exact(eta);
+        let is_right =
+            |one: &Self, two: &Self| [-1.0, 1.0].iter().all(|&eta| is_positive(at(one.left, eta) - at(two.right, eta)));
         is_right(self, other) || is_right(other, self)
     }
 
     /// Approximate places of the left and the right side, at the bottom and at the top.
-    pub fn sides(&self) -> [[f64; 2]; 2] {
-        [-1.0, 1.0].map(|a| {
-            let [place, slope] = self.line(a).map(Ball::mid);
-            [place - slope, place + slope]
-        })
+    pub fn ends(&self) -> [[f64; 2]; 2] {
+        [self.left, self.right].map(|[place, slope]| [place - slope, place + slope])
     }
 
-    /// Holds the place at `eta = 0` and the slope of the line with this `a`.
-    pub fn line(&self, a: f64) -> [Ball; 2] {
-        let a = Ball::exact(a);
-        [Ball::exact(self.middle) + a * Ball::exact(self.half), Ball::exact(self.slope) + a * Ball::exact(self.taper)]
+    /// Holds place and slope of the line in the middle, or half of what they change from there to the right side.
+    fn halves(&self, sign: f64) -> [Ball; 2] {
+        [0, 1].map(|i| Ball::exact(0.5) * (Ball::exact(self.right[i]) + Ball::exact(sign) * Ball::exact(self.left[i])))
+    }
+
+    /// Holds the place at `eta = 0` and the slope of the lines with these `a`, from -1 on the left side to 1 on the right one.
+    pub fn line(&self, a: Ball) -> [Ball; 2] {
+        let ([place, slope], [half, taper]) = (self.halves(1.0), self.halves(-1.0));
+        [place + a * half, slope + a * taper]
     }
 
     /// Holds half of the breadth at heights.
     pub fn breadth(&self, eta: Ball) -> Ball {
-        Ball::exact(self.half) + Ball::exact(self.taper) * eta
+        let [half, taper] = self.halves(-1.0);
+        half + taper * eta
     }
 }
 
@@ -101,13 +101,13 @@ impl Cell {
     pub const WHOLE: Self = Self { at: [0.0; 2], radii: [1.0; 2] };
 
     /// Holds the derivatives of `xi` by `a` and by `eta`, at each state of the cell.
-    fn slopes(&self, strip: &Strip) -> [Ball; 2] {
+    fn slopes(&self, strip: &StraightStrip) -> [Ball; 2] {
         let [a, eta] = [0, 1].map(|i| Ball::new(self.at[i], self.radii[i]));
-        [strip.breadth(eta), Ball::exact(strip.slope) + Ball::exact(strip.taper) * a]
+        [strip.breadth(eta), strip.line(a)[1]]
     }
 
     /// Holds the images of the vectors `(1, 0)` and `(0, 1)` of the h-set, given those of the half sides. Lemma D26
-    fn units(&self, strip: &Strip, sides: &Sides) -> Option<[[Ball; 2]; 2]> {
+    fn units(&self, strip: &StraightStrip, sides: &Sides) -> Option<[[Ball; 2]; 2]> {
         let ([breadth, slope], [a, height]) = (self.slopes(strip), self.radii.map(Ball::exact));
         let (a, height) = (Ball::exact(1.0).checked_div(breadth * a)?, Ball::exact(1.0).checked_div(height)?);
         Some([sides.combined(a, Ball::exact(0.0)), sides.combined(-(slope * a), height)])
@@ -148,7 +148,7 @@ impl Map<'_> {
     /// after each impact but the last one, as their middle and half sides, and returns whether to go on. Lemma D24
     pub fn image(&self, branch: &Branch, cell: Cell, passed: Passed<'_>) -> Result<Image, Lost> {
         let (frame, strip) = (&self.frames[branch.from], &branch.strip);
-        let [place, slope] = strip.line(cell.at[0]);
+        let [place, slope] = strip.line(Ball::exact(cell.at[0]));
         let eta = Ball::exact(cell.at[1]);
         let mut centre = frame.state(place + slope * eta, eta);
         let ([breadth, slope], [a, height]) = (cell.slopes(strip), cell.radii.map(Ball::exact));

@@ -6,7 +6,7 @@ use std::f64::consts::{LN_2, TAU};
 use super::cones::{Proved, is_flat};
 use super::root::{Edge, ratios, root};
 use super::strings::{EMPTY_BOUNDS, ends, hull};
-use super::strip::{Branch, Cell, Map, Strip};
+use super::strip::{Branch, Cell, Map, StraightStrip};
 use super::{Hyperbolic, KAPPA, LeftOut, are_apart, propose};
 use crate::chaos::cycles::{Cycle, Cycles};
 use crate::chaos::frame::Frame;
@@ -120,11 +120,11 @@ fn impacts(law: &Law, cycle: &Cycle) -> Vec<Impact> {
 fn followed(impacts: &[Impact], frames: &[Frame], words: &[(usize, &Branch)]) -> Option<Vec<usize>> {
     let at = |k: usize| impacts[k % impacts.len()];
     let is_in = |k: usize, branch: &Branch| {
-        let Strip { middle, slope, half, taper } = branch.strip;
+        let StraightStrip { left, right } = branch.strip;
         (-3..=3).any(|turns| {
             let place = frames[branch.from].place(at(k).0, f64::from(turns)).expect("coordinates");
             let [xi, eta] = place.map(Ball::mid);
-            eta.abs() < 1.0 && (xi - middle - slope * eta).abs() < half + taper * eta
+            eta.abs() < 1.0 && left[0] + left[1] * eta < xi && xi < right[0] + right[1] * eta
         })
     };
     let from = |start: usize| {
@@ -217,10 +217,10 @@ fn derivatives_hold_those_of_the_states_of_a_cell() {
         let image = map.image(branch, cell, &|_, _, _| true).expect("flights of a small cell");
         for (a, b) in [(-1.0, -1.0), (-1.0, 1.0), (0.0, 0.3), (1.0, -1.0), (1.0, 1.0)] {
             let [alpha, eta] = [cell.at[0] + a * cell.radii[0], cell.at[1] + b * cell.radii[1]];
-            let [place, slope] = branch.strip.line(alpha).map(Ball::mid);
+            let [place, slope] = branch.strip.line(Ball::exact(alpha)).map(Ball::mid);
             let mut state =
                 frames[branch.from].state(Ball::exact(place + slope * eta), Ball::exact(eta)).map(Ball::mid);
-            let [along, across] = [(branch.strip.half + branch.strip.taper * eta, 0.0), (slope, 1.0)]
+            let [along, across] = [(branch.strip.breadth(Ball::exact(eta)).mid(), 0.0), (slope, 1.0)]
                 .map(|(xi, eta)| frames[branch.from].vector(Ball::exact(xi), Ball::exact(eta)).map(Ball::mid));
             let mut sides = [along.map(|x| x * cell.radii[0]), across.map(|x| x * cell.radii[1])];
             for _ in &branch.sides {
@@ -260,7 +260,7 @@ fn each_cell_has_its_cone() {
 #[test]
 fn curves_meet_the_sides_of_a_strip_once() {
     let flat = |slope: f64, taper: f64| {
-        let strip = Strip { middle: 0.0, slope, half: 0.1, taper };
+        let strip = StraightStrip { left: [-0.1, slope - taper], right: [0.1, slope + taper] };
         is_flat(&Branch { from: 0, to: 0, sides: vec![Side::Far], half_turns: 1, turns: 1.0, strip, rises: true }, 64.0)
     };
     assert!(flat(0.0155, 0.0) && flat(-0.0155, 0.0) && flat(0.01, 0.005));
@@ -269,7 +269,7 @@ fn curves_meet_the_sides_of_a_strip_once() {
 
 #[test]
 fn strips_are_disjoint_or_not() {
-    let strip = |middle: f64, slope: f64| Strip { middle, slope, half: 0.1, taper: 0.0 };
+    let strip = |middle: f64, slope: f64| StraightStrip { left: [middle - 0.1, slope], right: [middle + 0.1, slope] };
     assert!(strip(0.0, 0.0).is_apart(&strip(0.21, 0.0)) && strip(0.21, 0.005).is_apart(&strip(0.0, 0.0)));
     // They meet at one end.
     assert!(!strip(0.0, 0.0).is_apart(&strip(0.21, 0.02)) && !strip(0.0, 0.0).is_apart(&strip(0.0, 0.0)));
@@ -320,11 +320,12 @@ fn r62_a_word_that_another_one_cuts_short_is_not_alone() {
     let images = map.prove(longest, KAPPA, &Unwatched).expect("cones");
     let word = Proved { number: *number, branch: longest.clone(), images };
     // The state of a cell after the first flight, in the coordinates of the h-set that it is nearest to.
-    let state = frames[longest.from].state(Ball::exact(longest.strip.middle), Ball::exact(0.0)).map(Ball::mid);
+    let [middle, _] = longest.strip.line(Ball::exact(0.0));
+    let state = frames[longest.from].state(middle, Ball::exact(0.0)).map(Ball::mid);
     let next = guess.map(state).expect("a flight").state.map(Ball::exact);
     let heights = vec![Ball::new(0.0, 1e6); frames.len()];
     let is_alone = |from: usize, turns: f64, middle: f64| {
-        let strip = Strip { middle, slope: 0.0, half: 1e3, taper: 0.0 };
+        let strip = StraightStrip { left: [middle - 1e3, 0.0], right: [middle + 1e3, 0.0] };
         let (sides, half_turns) = (longest.sides[1..].to_vec(), longest.half_turns);
         let branch = Branch { from, sides, half_turns, turns: longest.turns - turns, strip, ..longest.clone() };
         let other = Proved { number: number + 1, branch, images: Vec::new() };

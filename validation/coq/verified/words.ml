@@ -29,12 +29,25 @@ let read_no_claims head words =
     only place [ "left"; "right"; "moved" ] sides;
     Option.iter (fun all -> List.iter moved (items (inside place "moved") all)) (List.assoc_opt "moved" sides);
     curves place sides in
+  let cone_word (place, value) =
+    let word = members place value in
+    only place [ "left"; "right"; "rises"; "counts" ] word;
+    curves place word in
+  let cones value =
+    let place = "witness.cones" in
+    let cones = members place value in
+    only place [ "words"; "letters"; "unstable" ] cones;
+    let each key read = List.iter read (items (inside place key) (get place cones key)) in
+    each "words" cone_word;
+    each "letters" (fun (place, letters) -> ignore (integer place letters));
+    curve place cones "unstable" in
   (match List.assoc_opt "witness" head with
   | None | Some Json.Null -> ()
   | Some value ->
     let witness = members "witness" value in
-    only "witness" [ "strips" ] witness;
-    List.iter strip (items "witness.strips" (get "witness" witness "strips")));
+    only "witness" [ "strips"; "cones" ] witness;
+    List.iter strip (items "witness.strips" (get "witness" witness "strips"));
+    Option.iter cones (List.assoc_opt "cones" witness));
   match get "" head "exponent_seen" with
   | Json.Null | Number _ -> ()
   | value -> wrong "exponent_seen" value "a number or null"

@@ -57,7 +57,8 @@ impl ChaosCertificate {
     ) -> Result<Option<Doubt>, End> {
         let Some(Some(set)) = &self.document.hyperbolic else { return Ok(None) };
         let work = Allowance::new(allowed.saturating_mul(CONE_WORK_FACTOR), watch); // proposes: when to give up
-        match cones::doubt(law, listed, set, &work) {
+        let witness = self.document.witness.as_ref().and_then(|witness| witness.cones.as_ref());
+        match cones::doubt(law, listed, (set, witness), &work) {
             Err(End::Spent) => Ok(Some(Doubt::open("hyperbolic: the work allowed is spent"))),
             found => found,
         }

@@ -1,15 +1,14 @@
-//! Check of the claims of a document about a hyperbolic set (Lemma V14): strips are sought anew, and cones, strings and rates proved in
-//! intervals of doubles.
+//! Check of the claims of a document about a hyperbolic set (Lemma V14): cones, strings and rates are proved in intervals of doubles, with the strips
+//! that the document has for them.
 
 mod powers;
 mod prove;
 mod rates;
-mod seek;
 mod sides;
 mod strings;
 mod strip;
 
-use impact_pair_document::{Decimal, HyperbolicDocument, RatesDocument};
+use impact_pair_document::{ConesWitness, Decimal, HyperbolicDocument, RatesDocument};
 use impact_pair_exact::Dyadic;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -20,14 +19,14 @@ use super::bases::HSet;
 use super::guess::Guess;
 use super::span::Span;
 use super::words::Word;
+use crate::check::blocks::in_blocks;
 use crate::check::contact::Doubt;
 use powers::logarithm;
-use prove::{Proved, heights, recurrent};
+use prove::{Proved, heights, lead_back};
 use rates::{Edge, Graph};
-use seek::branches;
 use strings::{Step, Strings};
 pub(super) use strip::Frame;
-use strip::{Branch, Map};
+use strip::{Branch, Map, double};
 
 /// The claims: bounds as doubles within those of the document.
 struct Claimed {
@@ -60,10 +59,6 @@ fn rates(RatesDocument { per_impact, per_cycle }: &RatesDocument) -> [[f64; 2]; 
     [inner(per_impact), inner(per_cycle)]
 }
 
-fn is_within([low, high]: [f64; 2], [least, most]: [f64; 2]) -> bool {
-    least <= low && low <= high && high <= most
-}
-
 fn open(what: &str) -> Doubt {
     Doubt::Open(format!("hyperbolic.{what}"))
 }
@@ -72,25 +67,27 @@ fn open(what: &str) -> Doubt {
 pub(super) fn doubt(
     law: &Law,
     (bases, words): (&[HSet], &[Word]),
-    set: &HyperbolicDocument,
+    (set, witness): (&HyperbolicDocument, Option<&ConesWitness>),
     work: &Allowance,
 ) -> Result<Option<Doubt>, End> {
-    let listed: Option<Vec<(usize, Word)>> = set
-        .words
-        .iter()
-        .map(|&number| {
-            let number = number as usize; // exact: of 32 bits
-            words.get(number).map(|word| (number, word.clone()))
-        })
-        .collect();
+    let numbers: Vec<usize> = set.words.iter().map(|&number| number as usize).collect(); // exact: of 32 bits
+    let listed: Option<Vec<&Word>> = numbers.iter().map(|&number| words.get(number)).collect();
     let is_increasing = set.words.windows(2).all(|pair| pair[0] < pair[1]);
     let Some(listed) = listed.filter(|_| is_increasing && !set.words.is_empty()) else {
         return Ok(Some(Doubt::False("hyperbolic.words are not different ones of the words".to_owned())));
     };
+    if !lead_back(&listed.iter().map(|word| [word.from, word.to]).collect::<Vec<_>>(), bases.len()) {
+        return Ok(Some(Doubt::False("hyperbolic.words do not lead back to each other".to_owned())));
+    }
     // V14: cones are proved of a slope that is a double
     let [kappa, same] = inner(&[set.kappa.clone(), set.kappa.clone()]);
     if kappa != same {
         return Ok(Some(open("kappa is no double, and nothing is proved of cones of such a slope")));
+    }
+    let Some(witness) = witness else { return Ok(Some(Doubt::open("hyperbolic: no witness"))) };
+    if witness.words.len() != listed.len() {
+        let message = format!("hyperbolic: its witness has {} words for {}", witness.words.len(), listed.len());
+        return Ok(Some(Doubt::Open(message)));
     }
     let claimed = Claimed {
         kappa,
@@ -106,60 +103,28 @@ pub(super) fn doubt(
         let message = "words: the h-sets as parallelograms are not proved to be disjoint, with positive speeds";
         return Ok(Some(open(message)));
     }
-    let guess = Guess::new(law);
-    let map = Map { law, guess: &guess, frames: &frames, work };
-    let mut doubt = None;
-    for known in EXPANSION_ACCURACIES {
-        doubt = proved(&map, &listed, &claimed, known)?;
-        if !matches!(doubt, Some(Doubt::Open(_))) {
-            break;
-        }
-    }
-    Ok(doubt)
-}
-
-/// Expansions are known up to such a part per impact of the word, or to the next where that is too little.
-const EXPANSION_ACCURACIES: [f64; 2] = [0.03, 0.01];
-
-fn proved(map: &Map<'_>, listed: &[(usize, Word)], claimed: &Claimed, known: f64) -> Result<Option<Doubt>, End> {
-    let strips = branches(map.guess, map.frames, listed);
-    let mut all: Vec<Proved> = Vec::new();
-    for (number, word) in listed {
-        let seen = strips.iter().find(|(seen, _)| seen == number).map_or(&[][..], |(_, branches)| branches);
-        let is_free = |branch: &&Branch| {
-            let mut others = all.iter().map(|other| &other.branch).filter(|other| other.from == branch.from);
-            word.half_cycles > 0
-                && branch.strip.is_sound()
-                && others.all(|other| branch.strip.is_before(&other.strip) || other.strip.is_before(&branch.strip))
+    let map = Map { law, guess: &Guess::new(law), frames: &frames, work };
+    let mut branches: Vec<Branch> = Vec::new();
+    for ((word, document), number) in listed.iter().zip(&witness.words).zip(&numbers) {
+        let is_free = |branch: &Branch| {
+            let mut others = branches.iter().filter(|other| other.from == branch.from);
+            branch.strip.is_sound() && others.all(|other| branch.strip.is_apart(&other.strip))
         };
-        let mut found = None;
-        for branch in seen.iter().filter(is_free) {
-            found = map.prove(branch, claimed.kappa, known)?.map(|images| Proved { branch: branch.clone(), images });
-            if found.is_some() {
-                break;
-            }
-        }
-        let Some(found) = found else { return Ok(Some(unproved(*number))) };
-        all.push(found);
+        let Some(branch) = Branch::read(word, document).filter(is_free) else { return Ok(Some(unproved(*number))) };
+        branches.push(branch);
     }
-    let bases = map.frames.len();
-    let count = all.len();
-    let all = recurrent(all, bases);
-    if all.len() < count {
-        return Ok(Some(Doubt::False("hyperbolic.words do not lead back to each other".to_owned())));
-    }
-    if let Some(doubt) = entropy(&all, claimed) {
+    if let Some(doubt) = entropy(&branches, &claimed) {
         return Ok(Some(doubt));
     }
-    let heights = heights(&all, bases);
-    let mut alone = Vec::new();
-    for word in &all {
-        if map.is_alone(word, &all, &heights)? {
-            alone.push(word.clone());
-        }
+    let prove = |word: usize| {
+        let branch = branches[word].clone();
+        Ok(map.prove(&branch, kappa)?.map(|images| Proved { branch, images }))
+    };
+    let all = in_blocks(0..branches.len(), 1, |range| range.map(prove).collect(), |_| {})?;
+    if let Some(lost) = all.iter().position(Option::is_none) {
+        return Ok(Some(unproved(numbers[lost])));
     }
-    let alone = recurrent(alone, bases);
-    measured(map, &all, &alone, claimed)
+    measured(&map, &all.into_iter().flatten().collect::<Vec<_>>(), witness, &claimed)
 }
 
 fn unproved(number: usize) -> Doubt {
@@ -167,9 +132,9 @@ fn unproved(number: usize) -> Doubt {
 }
 
 /// Refutes or leaves undecided that the growth of the words is between the bounds of the entropy; `None` if it is proved.
-fn entropy(words: &[Proved], claimed: &Claimed) -> Option<Doubt> {
+fn entropy(words: &[Branch], claimed: &Claimed) -> Option<Doubt> {
     let graph = |weight: &dyn Fn(&Branch) -> f64| {
-        let edge = |Proved { branch, .. }: &Proved| {
+        let edge = |branch: &Branch| {
             let length = weight(branch);
             Edge { from: branch.from, to: branch.to, weight: Span::point(length), length }
         };
@@ -183,39 +148,59 @@ fn entropy(words: &[Proved], claimed: &Claimed) -> Option<Doubt> {
     Some(open(&format!("{} does not follow from the words", names[wrong])))
 }
 
-/// The bounds from the graphs of strings: those that are not reached at last.
-fn measured(map: &Map<'_>, all: &[Proved], alone: &[Proved], claimed: &Claimed) -> Result<Option<Doubt>, End> {
+/// The claims that are left open by the graphs of strings.
+fn measured(map: &Map<'_>, all: &[Proved], witness: &ConesWitness, claimed: &Claimed) -> Result<Option<Doubt>, End> {
     let Some(twice) = restitution(map.law).map(|log| log.scaled(2.0)) else { return Ok(Some(open("exponents"))) };
-    let is_same = all.len() == alone.len();
+    let counting = counting(map, all, witness)?;
+    let is_same = all.len() == counting.len();
+    let [least, most] = [0, 1].map(|end| {
+        let unstable = double(&witness.unstable[end])?;
+        let stable = Span::point(claimed.dimension[end]) - Span::point(unstable);
+        // V14: at least what is left of the lower bound, at most what is left of the upper one
+        Some([unstable, if end == 0 { stable.hi() } else { stable.lo() }])
+    });
     let [mut exponents, mut second, mut upper, mut lower] = [false, false, false, claimed.dimension[0] <= 0.0]; // V14: no dimension is negative
     let mut visit = |graph: &[Step]| {
         let (by_impacts, by_cycles, stable) = graphs(all, graph, twice);
-        if !(exponents && second) {
-            let ratios = [&by_impacts, &by_cycles].map(|graph| [graph.ratio(true), graph.ratio(false)]);
-            exponents |= (0..2).all(|k| is_within(ratios[k], claimed.exponents[k]));
-            let rest = [twice - Span::point(ratios[0][1]), twice - Span::point(ratios[0][0])];
-            second |= is_within([rest[0].lo(), rest[1].hi()], claimed.second);
-        }
-        if exponents
-            && second
-            && let Some([low, high]) = dimension(&by_impacts, &stable)
-        {
-            upper |= high <= claimed.dimension[1];
-            lower |= is_same && low >= claimed.dimension[0];
-        }
+        let is_between =
+            |graph: &Graph, [low, high]: [f64; 2]| graph.is_ratio(low, true) && graph.is_ratio(high, false);
+        let first = claimed.second.map(|rest| twice - Span::point(rest));
+        exponents |= is_between(&by_impacts, claimed.exponents[0]) && is_between(&by_cycles, claimed.exponents[1]);
+        second |= is_between(&by_impacts, [first[1].hi(), first[0].lo()]);
+        upper |= is_sum(&by_impacts, &stable, most, true);
+        lower |= is_same && is_sum(&by_impacts, &stable, least, false);
         exponents && second && upper && (lower || !is_same)
     };
-    Strings { map, words: all, kappa: claimed.kappa }.each(&mut visit)?;
-    if !lower && !is_same {
+    let [letters, counting_letters] = witness.letters;
+    Strings { map, words: all, kappa: claimed.kappa }.measure(letters, &mut visit)?;
+    let ways: Vec<[usize; 2]> = counting.iter().map(|word| [word.branch.from, word.branch.to]).collect();
+    if !lower && !is_same && lead_back(&ways, map.frames.len()) {
         let mut visit = |graph: &[Step]| {
-            let (by_impacts, _, stable) = graphs(alone, graph, twice);
-            lower |= dimension(&by_impacts, &stable).is_some_and(|[low, _]| low >= claimed.dimension[0]);
+            let (by_impacts, _, stable) = graphs(&counting, graph, twice);
+            lower |= is_sum(&by_impacts, &stable, least, false);
             lower
         };
-        Strings { map, words: alone, kappa: claimed.kappa }.each(&mut visit)?;
+        Strings { map, words: &counting, kappa: claimed.kappa }.measure(counting_letters, &mut visit)?;
     }
     let known = [(exponents, "exponents"), (second, "second_exponent"), (upper && lower, "dimension")];
     Ok(known.iter().find(|(is, _)| !is).map(|(_, name)| open(&format!("{name}: the bounds are not proved again"))))
+}
+
+/// The words that count for the lower bound of the dimension by the witness, as far as they are proved to be alone.
+fn counting(map: &Map<'_>, all: &[Proved], witness: &ConesWitness) -> Result<Vec<Proved>, End> {
+    let heights = heights(all, map.frames.len());
+    let mut counting = Vec::new();
+    for (word, document) in all.iter().zip(&witness.words) {
+        if document.counts && map.is_alone(word, all, &heights)? {
+            counting.push(word.clone());
+        }
+    }
+    Ok(counting)
+}
+
+/// Returns whether the dimensions along the expanding and the contracting direction are proved to be at most two numbers, or at least.
+fn is_sum(unstable: &Graph, stable: &Graph, parts: Option<[f64; 2]>, is_at_most: bool) -> bool {
+    parts.is_some_and(|[one, other]| unstable.is_root(one, is_at_most) && stable.is_root(other, is_at_most))
 }
 
 /// Encloses `ln e`.
@@ -234,10 +219,4 @@ fn graphs(words: &[Proved], graph: &[Step], twice: Span) -> (Graph, Graph, Graph
         Graph::new(graph.iter().map(|(edge, word)| Edge { length: cycles(*word), ..*edge })),
         Graph::new(graph.iter().map(|(edge, _)| stable(edge))),
     )
-}
-
-/// Bounds of the sum of both dimensions.
-fn dimension(unstable: &Graph, stable: &Graph) -> Option<[f64; 2]> {
-    let ([a, b], [c, d]) = (unstable.root()?, stable.root()?);
-    Some([(a + c).next_down(), (b + d).next_up()])
 }

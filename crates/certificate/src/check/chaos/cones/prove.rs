@@ -10,8 +10,8 @@ use super::strip::{Branch, Cell, Frame, Image, Map, Passed, is_beyond, is_tall};
 const MAX_CELLS: usize = 1 << 19;
 const MIN_CELL_WIDTH: f64 = 1.0 / (1 << 20) as f64; // exact: a power of two
 
-/// Cells are cut no finer for an expansion that is known better.
-const MIN_REFINED_WIDTH: f64 = 1.0 / (1 << 10) as f64; // exact: a power of two
+/// Cells are cut until expansions are known up to such a part per impact of the word.
+const EXPANSION_ACCURACY: f64 = 0.04;
 
 /// A word with the images of its cells.
 #[derive(Clone, Debug)]
@@ -21,16 +21,14 @@ pub(super) struct Proved {
 }
 
 impl Map<'_> {
-    /// Returns the images of cells of a strip, `None` if it is not proved to be mapped across, with cones of slopes up to `kappa`;
-    /// expansions known up to a part of them per impact.
-    pub fn prove(&self, branch: &Branch, kappa: f64, known: f64) -> Result<Option<Vec<Image>>, End> {
+    /// Returns the images of cells of a strip, `None` if it is not proved to be mapped across, with cones of slopes up to `kappa`.
+    pub fn prove(&self, branch: &Branch, kappa: f64) -> Result<Option<Vec<Image>>, End> {
         let [left, right] = [branch.strip.left[1], branch.strip.right[1]].map(|lean| Span::point(lean).scaled(kappa));
         if is_beyond_one(left) || is_beyond_one(right) {
             return Ok(None);
         }
         let is_good = |image: &Image| {
-            crosses(branch, image)
-                && (image.is_outside() || is_cone(branch, image, kappa) && is_known(branch, image, known))
+            crosses(branch, image) && (image.is_outside() || is_cone(branch, image, kappa) && is_known(branch, image))
         };
         self.cut(branch, vec![Cell::WHOLE], &|_, _, _| true, &is_good)
     }
@@ -108,14 +106,10 @@ fn is_cone(branch: &Branch, image: &Image, kappa: f64) -> bool {
     is_mapped(kappa) && is_mapped(-kappa)
 }
 
-/// Returns whether the expansion is known up to the fraction `per_impact` for each impact; any answer will do.
-fn is_known(branch: &Branch, image: &Image, per_impact: f64) -> bool {
-    let width = |x: Span| x.hi() - x.lo();
-    let part = per_impact * branch.flights.len() as f64; // exact: a length
-    let [across, heights] = [image.cell.across, image.cell.heights].map(|[a, b]| b - a);
-    across < MIN_REFINED_WIDTH
-        || heights < MIN_REFINED_WIDTH
-        || image.direction(0.0).is_some_and(|[x, _]| width(x) < 2.0 * part * x.mid().abs())
+/// Returns whether the expansion is known well enough; any answer will do.
+fn is_known(branch: &Branch, image: &Image) -> bool {
+    let part = EXPANSION_ACCURACY * branch.flights.len() as f64; // exact: a length
+    image.direction(0.0).is_some_and(|[x, _]| x.hi() - x.lo() < 2.0 * part * x.mid().abs())
 }
 
 /// Flights and forcing periods of a word before its end, if that end is `other`, a shorter word to the same h-set.
@@ -148,10 +142,10 @@ pub(super) fn heights(words: &[Proved], bases: usize) -> Vec<Span> {
     (0..bases).map(|at| of(at).unwrap_or(Span::new(-1.0, 1.0))).collect()
 }
 
-/// The words between h-sets that lead back to each other, the most of several such parts.
-pub(super) fn recurrent(words: Vec<Proved>, bases: usize) -> Vec<Proved> {
+/// Returns whether words, each from one h-set to another one, lead from each of all these to each.
+pub(super) fn lead_back(words: &[[usize; 2]], bases: usize) -> bool {
     let mut leads = vec![vec![false; bases]; bases];
-    words.iter().for_each(|word| leads[word.branch.from][word.branch.to] = true);
+    words.iter().for_each(|&[from, to]| leads[from][to] = true);
     for by in 0..bases {
         for from in 0..bases {
             for to in 0..bases {
@@ -159,8 +153,6 @@ pub(super) fn recurrent(words: Vec<Proved>, bases: usize) -> Vec<Proved> {
             }
         }
     }
-    let is_in =
-        |at: usize, Branch { from, to, .. }: &Branch| [*from, *to].iter().all(|&k| leads[at][k] && leads[k][at]);
-    let best = (0..bases).max_by_key(|&at| words.iter().filter(|word| is_in(at, &word.branch)).count());
-    words.into_iter().filter(|word| best.is_some_and(|at| is_in(at, &word.branch))).collect()
+    let all = words.iter().flatten();
+    all.clone().all(|&from| all.clone().all(|&to| leads[from][to]))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::span::Span;
-use super::powers::{MAX_EXPONENT, exponential};
+use super::powers::exponential;
 
 /// A step between nodes: what it weighs, and its length.
 #[derive(Clone, Copy, Debug)]
@@ -20,13 +20,12 @@ pub(super) struct Graph {
     nodes: usize,
 }
 
+/// Steps towards a vector that grows by one number.
 const STEPS: usize = 2000;
-const HALVINGS: u32 = 40;
-/// Potentials that are not found in N rounds are not looked for: ways are as long as strings, not as graphs.
+/// Rounds in which the shortest ways are found: ways are as long as strings, not as graphs.
 const MAX_ROUNDS: usize = 256;
-/// Distance of the first bound beyond an approximate root, and the greatest one of the last bound.
-const FIRST_BOUND_DISTANCE: f64 = 1e-9;
-const LAST_BOUND_DISTANCE: f64 = 1e-2;
+/// What is taken off each edge where the shortest ways are found, so that roundings do not decide.
+const SLACK: f64 = 1e-12;
 
 type Matrix = Vec<(usize, usize, f64)>;
 
@@ -44,7 +43,7 @@ impl Graph {
     /// Returns whether the growth is proved to be 0 for a number that is at most `t`, or at least.
     pub fn is_root(&self, t: f64, is_at_most: bool) -> bool {
         let Some(matrix) = self.powers(t, is_at_most) else { return false };
-        let vector = self.vector(&matrix).0;
+        let vector = self.vector(&matrix);
         let mut sums = vec![Span::point(0.0); self.nodes];
         for &(from, to, q) in &matrix {
             sums[from] = sums[from] + Span::point(q) * Span::point(vector[to]);
@@ -68,9 +67,9 @@ impl Graph {
         self.edges.iter().map(of).collect()
     }
 
-    /// A positive vector that about grows by one number, and about that one.
-    fn vector(&self, matrix: &Matrix) -> (Vec<f64>, f64) {
-        let (mut vector, mut growth) = (vec![1.0; self.nodes], 0.0);
+    /// A positive vector that grows about by one number.
+    fn vector(&self, matrix: &Matrix) -> Vec<f64> {
+        let mut vector = vec![1.0; self.nodes];
         for _ in 0..STEPS {
             let mut image = vector.clone();
             matrix.iter().for_each(|&(from, to, q)| image[from] += q * vector[to]);
@@ -78,80 +77,78 @@ impl Graph {
             for (x, y) in vector.iter().zip(&image) {
                 (least, most, top) = (least.min(y / x), most.max(y / x), top.max(*y)); // proposes: any positive vector
             }
-            growth = 0.5 * (least + most) - 1.0;
             vector = image.iter().map(|y| y / top).collect();
             if most - least < 1e-13 {
                 break;
             }
         }
-        (vector, growth)
+        vector
     }
 
-    /// Returns numbers at most and at least that at which the growth is 0, for all weights.
-    pub fn root(&self) -> Option<[f64; 2]> {
-        let bound = |is_at_most: bool| {
-            let weight = |edge: &Edge| if is_at_most { edge.weight.lo() } else { edge.weight.hi() };
-            let (mut low, mut high) = (0.0, MAX_EXPONENT);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                let matrix =
-                    self.edges.iter().map(|edge| (edge.from, edge.to, (-middle * weight(edge)).exp())).collect();
-                *if self.vector(&matrix).1 > 1.0 { &mut low } else { &mut high } = middle;
-            }
-            let mut apart = FIRST_BOUND_DISTANCE;
-            while apart < LAST_BOUND_DISTANCE {
-                let t = if is_at_most { high + apart } else { (low - apart).max(0.0) }; // proposes: proved here
-                if self.is_root(t, is_at_most) {
-                    return Some(t);
-                }
-                apart *= 8.0;
-            }
-            None
+    /// Returns whether the ratio of weight to length around every cycle is proved to be at least `bound`, or at most.
+    pub fn is_ratio(&self, bound: f64, is_at_least: bool) -> bool {
+        let bound = Span::point(bound);
+        let excess = |edge: &Edge| (edge.weight - bound * Span::point(edge.length)).signed(is_at_least);
+        let excesses: Vec<Span> = self.edges.iter().map(excess).collect();
+        let potentials = self.shortest(&excesses);
+        let is_kept = |(edge, excess): (&Edge, &Span)| {
+            (*excess + Span::point(potentials[edge.from]) - Span::point(potentials[edge.to])).lo() >= 0.0
         };
-        Some([bound(false)?, bound(true)?])
+        self.edges.iter().zip(&excesses).all(is_kept)
     }
 
-    /// Returns a number that is at most the ratio of weight to length around every cycle, or one that is at least it.
-    pub fn ratio(&self, is_least: bool) -> f64 {
-        let weights: Vec<f64> =
-            self.edges.iter().map(|edge| if is_least { edge.weight.lo() } else { -edge.weight.hi() }).collect();
-        let ratio = |(edge, weight): (&Edge, &f64)| weight / edge.length;
-        let (mut low, mut high) = (f64::MAX, f64::MIN);
-        self.edges.iter().zip(&weights).map(ratio).for_each(|x| (low, high) = (low.min(x), high.max(x))); // proposes: where to look
-        let mut potentials = vec![0.0; self.nodes];
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            match self.shortest(&weights, middle) {
-                Some(found) => (low, potentials) = (middle, found),
-                None => high = middle,
-            }
-        }
-        let mut least = f64::MAX;
-        for (edge, weight) in self.edges.iter().zip(&weights) {
-            let sum = Span::point(*weight) + Span::point(potentials[edge.from]) - Span::point(potentials[edge.to]);
-            let Some(ratio) = sum.over(Span::point(edge.length)) else { return f64::NAN };
-            // V14: the least of all, or NaN
-            least = if ratio.lo() >= least { least } else { ratio.lo() };
-        }
-        if is_least { least } else { -least }
-    }
-
-    fn shortest(&self, weights: &[f64], ratio: f64) -> Option<Vec<f64>> {
-        let mut path_weights = vec![0.0; self.nodes];
+    /// About the lengths of the shortest ways to all nodes, an edge being as long as the least of its excess, less the slack.
+    fn shortest(&self, excesses: &[Span]) -> Vec<f64> {
+        let mut lengths = vec![0.0; self.nodes];
         // proposes: how long
         for _ in 0..=self.nodes.min(MAX_ROUNDS) {
             let mut is_done = true;
-            for (edge, weight) in self.edges.iter().zip(weights) {
-                let path_weight = path_weights[edge.from] + weight - ratio * edge.length;
-                if path_weight < path_weights[edge.to] - 1e-13 {
-                    path_weights[edge.to] = path_weight;
+            for (edge, excess) in self.edges.iter().zip(excesses) {
+                let length = lengths[edge.from] + excess.lo() - SLACK;
+                if length < lengths[edge.to] - 0.1 * SLACK {
+                    lengths[edge.to] = length;
                     is_done = false;
                 }
             }
             if is_done {
-                return Some(path_weights);
+                break;
             }
         }
-        None
+        lengths
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::LN_2;
+
+    use super::*;
+
+    fn edge(from: usize, to: usize, weight: [f64; 2], length: f64) -> Edge {
+        Edge { from, to, weight: Span::new(weight[0], weight[1]), length }
+    }
+
+    /// Two edges at one node: the growth of `2 e^(-t x)` is 0 at `ln 2 / x`.
+    #[test]
+    fn a_root_is_bounded_by_both_ends_of_the_weights() {
+        let graph = Graph::new([edge(0, 0, [2.0, 3.0], 1.0), edge(0, 0, [2.0, 3.0], 1.0)].into_iter());
+        assert!(graph.is_root(LN_2 / 2.0 + 1e-9, true) && !graph.is_root(LN_2 / 2.0 - 1e-9, true));
+        assert!(graph.is_root(LN_2 / 3.0 - 1e-9, false) && !graph.is_root(LN_2 / 3.0 + 1e-9, false));
+        assert!([-1.0, f64::NAN].into_iter().all(|t| !graph.is_root(t, true) && !graph.is_root(t, false)));
+    }
+
+    /// Loops of ratios 1 and 1/2, the second one by a weight of 5 and one of -4.
+    #[test]
+    fn ratios_are_bounded_by_those_of_loops() {
+        let graph = |w: f64| {
+            let all = [(0, 0, 1.0), (0, 1, 5.0), (1, 0, -4.0)];
+            Graph::new(all.into_iter().map(|(from, to, x)| edge(from, to, [x - w, x + w], 1.0)))
+        };
+        for (width, [least, most]) in [(0.0, [0.5, 1.0]), (0.25, [0.25, 1.25])] {
+            let graph = graph(width);
+            assert!(graph.is_ratio(least - 1e-9, true) && !graph.is_ratio(least + 1e-9, true));
+            assert!(graph.is_ratio(most + 1e-9, false) && !graph.is_ratio(most - 1e-9, false));
+            assert!(!graph.is_ratio(f64::NAN, true) && !graph.is_ratio(f64::NAN, false));
+        }
     }
 }

@@ -7,15 +7,18 @@ use super::super::span::Span;
 use super::powers::logarithm;
 use super::prove::Proved;
 use super::rates::Edge;
-use super::strip::{Branch, Cell, Image, Map, Strip};
+use super::strip::{Branch, Cell, Image, Map, Strip, is_tall};
 
 /// Most cuts of a cell, and the ratio of widths below which it is cut again.
 const MAX_CUTS: u32 = 3;
 const RECUT_RATIO: f64 = 0.7;
-/// More strings, cells of all of them, or longer strings are not looked at.
+/// Most strings, cells of all of them, and words of a string.
 const MAX_STRINGS: usize = 16_000;
 const MAX_CELLS: usize = 3 << 21;
-const MAX_LENGTH: usize = 10;
+const MAX_LENGTH: u32 = 9;
+/// Number of times that cells are halved where the claims do not follow yet, and how many cells are added by it at most.
+const MAX_HALVINGS: u32 = 24;
+const MAX_ADDED_CELLS: usize = 1 << 17;
 
 /// A string, which is a word alone, or one with a word before it and some behind it: the cells of this word in which its points are, the
 /// fractions of its strip between which they are, and the heights of their images.
@@ -47,6 +50,24 @@ fn everything() -> Span {
     Span::new(-1.0, 1.0)
 }
 
+/// No upper end and no lower end of intervals.
+const ALL_ENDS: [f64; 2] = [f64::MAX, f64::MIN];
+
+/// The least upper end and the greatest lower end of one more interval, too.
+fn inner([least, most]: [f64; 2], x: Span) -> [f64; 2] {
+    [least.min(x.hi()), most.max(x.lo())] // proposes: any cells may be halved
+}
+
+/// Returns whether an end of a hull of intervals may be here, given the least upper end and the greatest lower one of all.
+fn is_beyond(x: Span, [least, most]: [f64; 2]) -> bool {
+    x.lo() < least || x.hi() > most
+}
+
+/// Number of cells of all strings.
+fn cells(level: &Level) -> usize {
+    level.values().map(|part| part.images.len()).sum()
+}
+
 impl Part {
     fn of(images: Vec<Image>) -> Self {
         let all = |of: &dyn Fn(&Image) -> Span| images.iter().map(of).reduce(Span::hull);
@@ -67,26 +88,109 @@ impl Strings<'_> {
         &self.words[word].branch
     }
 
-    /// Calls `visit` with the graph of words alone, of strings of two words, of three, and so on, until it returns true or they are too many.
-    pub fn each(&self, visit: &mut dyn FnMut(&[Step]) -> bool) -> Result<(), End> {
+    /// Calls `visit` with the graph of strings of `letters` words, and again with finer cells, until it returns true.
+    pub fn measure(&self, letters: u32, visit: &mut dyn FnMut(&[Step]) -> bool) -> Result<(), End> {
         let inside = |word: &Proved| word.images.iter().filter(|image| !image.is_outside()).copied().collect();
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Part::of(inside(proved))));
         let mut level: Level = alone.collect();
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
-        for letters in 1..=MAX_LENGTH {
+        for length in 1..=letters.min(MAX_LENGTH) {
+            if length > 1 {
+                if !self.are_few(&level) {
+                    return Ok(());
+                }
+                level = if length == 2 { self.pairs(&level)? } else { self.longer(&level)? };
+            }
             let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
             slopes = narrower;
+        }
+        let most = cells(&level) + MAX_ADDED_CELLS;
+        for _ in 0..MAX_HALVINGS {
             let Some(graph) = self.graph(&level, &slopes) else { return Ok(()) };
-            if visit(&graph) || !self.is_worth_it(&level) {
+            if visit(&graph) || cells(&level) > most {
                 return Ok(());
             }
-            level = if letters == 1 { self.pairs(&level)? } else { self.longer(&level)? };
+            let Some(finer) = self.finer(&level, &slopes)? else { return Ok(()) };
+            level = finer;
+            let Some(narrower) = self.slopes(&level, &slopes) else { return Ok(()) };
+            slopes = narrower;
         }
         Ok(())
     }
 
-    /// Returns whether there are few enough strings with another word before them; any answer will do.
-    fn is_worth_it(&self, level: &Level) -> bool {
+    /// The level with those cells halved in which the expansion of a string, or the slope of a word, may be least or greatest, and without the parts
+    /// that have no points; `None` where an expansion is not known.
+    fn finer(&self, level: &Level, slopes: &[[f64; 2]]) -> Result<Option<Level>, End> {
+        let mut known = Vec::new();
+        let mut of_words = vec![ALL_ENDS; self.words.len()];
+        for (string, part) in level {
+            let Some(all) = self.directions(string, part, slopes) else { return Ok(None) };
+            let word = Self::word(string);
+            of_words[word] = all.iter().fold(of_words[word], |ends, [_, slope]| inner(ends, *slope));
+            known.push(all);
+        }
+        let mut next = Level::new();
+        for ((string, part), all) in level.iter().zip(known) {
+            let word = Self::word(string);
+            let of_string = all.iter().fold(ALL_ENDS, |ends, [expansion, _]| inner(ends, *expansion));
+            let mut images = Vec::new();
+            for (image, [expansion, slope]) in part.images.iter().zip(all) {
+                let is_end = is_beyond(expansion, of_string) || is_beyond(slope, of_words[word]);
+                let halves = if is_end { self.halves(self.branch(word), image)? } else { None };
+                images.extend(halves.map_or_else(|| vec![*image], Vec::from));
+            }
+            let (heights, ahead) = (self.heights(level, string), self.ahead(level, string));
+            let narrowed = |image: &Image| {
+                ahead.map_or(Some(image.cell), |(strip, across)| narrowed(image, strip, across))?.between(heights)
+            };
+            next.insert(string.clone(), self.cut(word, &images, &narrowed)?);
+        }
+        Ok(Some(next))
+    }
+
+    /// The strip that the word of a string leads to, and the fractions of it between which points of the longer string are.
+    fn ahead(&self, level: &Level, string: &[usize]) -> Option<(&Strip, [f64; 2])> {
+        let strip = &self.branch(*string.get(2)?).strip;
+        let rest = &string[1..];
+        let following = level.range(rest.to_vec()..).take_while(|(other, _)| other.starts_with(rest));
+        let across = following.map(|(_, part)| Span::new(part.across[0], part.across[1])).reduce(Span::hull);
+        Some((strip, bounds(across?)))
+    }
+
+    /// Holds the heights at which the points of a string come to its word.
+    fn heights(&self, level: &Level, string: &[usize]) -> Span {
+        let behind = |before: usize| match string {
+            &[_] => vec![before],
+            _ => [&[before], &string[..string.len() - 1]].concat(),
+        };
+        let all = self.before(string[0]).map(|before| level[&behind(before)].heights);
+        // exact: where no word leads, nothing is cut
+        all.reduce(Span::hull).unwrap_or(everything())
+    }
+
+    /// Holds the expansion and the slope of the image of the directions that a string is begun with, for each of its cells; `None` where one is not known.
+    fn directions(&self, string: &[usize], part: &Part, slopes: &[[f64; 2]]) -> Option<Vec<[Span; 2]>> {
+        let (given, rises) = (self.arriving(string, slopes)?, self.branch(Self::word(string)).rises);
+        let of = |image: &Image| {
+            let [one, other] = given.map(|slope| {
+                let [x, y] = image.direction(slope)?;
+                Some([x.signed(rises), y.over(x)?])
+            });
+            let (one, other) = (one?, other?);
+            Some([0, 1].map(|i| one[i].hull(other[i])))
+        };
+        part.images.iter().map(of).collect()
+    }
+
+    /// The images of both halves of a cell, if they are known.
+    fn halves(&self, branch: &Branch, image: &Image) -> Result<Option<[Image; 2]>, End> {
+        let [one, other] = image.cell.halves(is_tall(&image.sides));
+        let flown = |cell| Ok(self.map.image(branch, cell, &|_, _, _| true)?.ok());
+        Ok(flown(one)?.zip(flown(other)?).map(|(one, other)| [one, other]))
+    }
+
+    /// Returns whether there are few enough strings with another word before them.
+    fn are_few(&self, level: &Level) -> bool {
         let [mut strings, mut cells] = [0, 0];
         for (string, part) in level {
             let more = self.before(string[0]).count();
@@ -121,7 +225,7 @@ impl Strings<'_> {
             for before in self.before(word) {
                 let heights = alone[&vec![before]].heights;
                 let narrowed = |image: &Image| image.cell.between(heights);
-                level.insert(vec![before, word], self.cut(word, part, &narrowed)?);
+                level.insert(vec![before, word], self.cut(word, &part.images, &narrowed)?);
             }
         }
         Ok(level)
@@ -135,11 +239,9 @@ impl Strings<'_> {
             for first in self.before(string[0]) {
                 let longer = [&[first], &string[..]].concat();
                 let own = &longer[..string.len()];
-                let heights = self.before(first).map(|before| [&[before], &own[..own.len() - 1]].concat());
-                // exact: where no word leads, nothing is cut
-                let heights = heights.map(|other| level[&other].heights).reduce(Span::hull).unwrap_or(everything());
+                let heights = self.heights(level, own);
                 let narrowed = |image: &Image| narrowed(image, strip, *across)?.between(heights);
-                let part = self.cut(string[0], &level[own], &narrowed)?;
+                let part = self.cut(string[0], &level[own].images, &narrowed)?;
                 next.insert(longer, part);
             }
         }
@@ -147,9 +249,9 @@ impl Strings<'_> {
     }
 
     /// The cells of a word, cut to those parts in which its points are left.
-    fn cut(&self, word: usize, part: &Part, narrowed: &dyn Fn(&Image) -> Option<Cell>) -> Result<Part, End> {
+    fn cut(&self, word: usize, images: &[Image], narrowed: &dyn Fn(&Image) -> Option<Cell>) -> Result<Part, End> {
         let mut kept = Vec::new();
-        'images: for image in &part.images {
+        'images: for image in images {
             let mut image = *image;
             for _ in 0..MAX_CUTS {
                 let Some(cell) = narrowed(&image) else { continue 'images };
@@ -172,13 +274,9 @@ impl Strings<'_> {
         for _ in 0..MAX_CUTS {
             let mut all: Vec<Option<Span>> = vec![None; self.words.len()];
             for (string, part) in level {
-                let (word, given) = (Self::word(string), self.arriving(string, &slopes)?);
-                for image in &part.images {
-                    for slope in given {
-                        let [x, y] = image.direction(slope)?;
-                        let slope = y.over(x)?;
-                        all[word] = Some(all[word].map_or(slope, |all| all.hull(slope)));
-                    }
+                let word = Self::word(string);
+                for [_, slope] in self.directions(string, part, &slopes)? {
+                    all[word] = Some(all[word].map_or(slope, |all| all.hull(slope)));
                 }
             }
             slopes = all.into_iter().map(|slopes| slopes.map(bounds)).collect::<Option<_>>()?;
@@ -195,15 +293,9 @@ impl Strings<'_> {
         let mut graph = Vec::new();
         for (string, part) in level {
             let word = Self::word(string);
-            let (branch, given) = (self.branch(word), self.arriving(string, slopes)?);
-            let mut expansion: Option<Span> = None;
-            for image in &part.images {
-                for slope in given {
-                    let x = image.direction(slope)?[0].signed(branch.rises);
-                    expansion = Some(expansion.map_or(x, |all| all.hull(x)));
-                }
-            }
-            let [least, most] = bounds(expansion?);
+            let branch = self.branch(word);
+            let expansions = self.directions(string, part, slopes)?.into_iter().map(|[expansion, _]| expansion);
+            let [least, most] = bounds(expansions.reduce(Span::hull)?);
             let weight = logarithm(least)?.hull(logarithm(most)?);
             let is_alone = string.len() == 1;
             let (from, to) = if is_alone {

@@ -1,11 +1,14 @@
 //! Strips across the parallelogram of an h-set, and the images of their cells (Lemma V14).
 
+use impact_pair_document::{ConeWordDocument, Decimal};
+
 use super::super::Law;
 use super::super::allowance::{Allowance, End};
 use super::super::bases::HSet;
 use super::super::beam::{FlightBundle, Spot, State};
 use super::super::guess::Guess;
 use super::super::span::Span;
+use super::super::words::Word;
 use super::sides::{Sides, cross};
 
 /// An h-set as the parallelogram of its middle and its half vectors.
@@ -51,6 +54,25 @@ pub(super) struct Image {
     pub sides: Sides,
     /// Hold the images of the vectors `(1, 0)` and `(0, 1)` of the h-set it comes from, at each state; none where they are not known.
     units: Option<[Spot; 2]>,
+}
+
+/// The double that is nearest to a number of a witness; `None` if that is not finite.
+pub(super) fn double(number: &Decimal) -> Option<f64> {
+    // V14: any double will do
+    number.text().parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+impl Branch {
+    /// Reads a listed word with its strip; `None` if numbers are not finite, or if it takes no time, or no whole number of forcing periods.
+    pub fn read(word: &Word, document: &ConeWordDocument) -> Option<Self> {
+        let side = |[place, lean]: &[Decimal; 2]| Some([double(place)?, double(lean)?]);
+        let strip = Strip { left: side(&document.left)?, right: side(&document.right)? };
+        let Word { from, to, half_cycles, ref flights } = *word;
+        let far = flights.iter().filter(|&&is_far| is_far).count() as i64; // exact: a length
+        let half_turns = half_cycles.checked_add(far).filter(|turns| half_cycles > 0 && turns % 2 == 0)?;
+        let turns = (half_turns / 2) as f64; // V14: rounded, it is far from all images
+        Some(Self { from, to, flights: flights.clone(), half_cycles, turns, strip, rises: document.rises })
+    }
 }
 
 pub(super) fn spot(x: State) -> Spot {
@@ -116,8 +138,11 @@ impl Frame {
 impl Strip {
     /// The place and the lean of the line at a fraction of the way from left to right.
     pub fn line(&self, at: Span) -> Spot {
-        let one = Span::point(1.0);
-        [0, 1].map(|i| ((one - at).scaled(self.left[i]) + (one + at).scaled(self.right[i])).scaled(0.5))
+        let ends = |i: usize| [self.left, self.right].map(|side| Span::point(side[i]).scaled(0.5));
+        [0, 1].map(|i| {
+            let [left, right] = ends(i);
+            left + right + at * (right - left)
+        })
     }
 
     /// Half of the way from left to right at some heights.
@@ -133,12 +158,13 @@ impl Strip {
         is_in(self.left) && is_in(self.right) && self.half(Span::new(-1.0, 1.0)).is_positive()
     }
 
-    /// Returns whether all of it is on the left of another one.
-    pub fn is_before(&self, other: &Self) -> bool {
-        [-1.0, 1.0].iter().all(|&end| {
-            let at = |[place, lean]: [f64; 2]| Span::point(place) + Span::point(lean).scaled(end);
-            (at(other.left) - at(self.right)).is_positive()
-        })
+    /// Returns whether it has no state in common with another one: at both ends it is on the same side of that one.
+    pub fn is_apart(&self, other: &Self) -> bool {
+        let at = |[place, lean]: [f64; 2], end: f64| Span::point(place) + Span::point(lean).scaled(end);
+        let is_before = |one: &Self, two: &Self| {
+            [-1.0, 1.0].iter().all(|&end| (at(two.left, end) - at(one.right, end)).is_positive())
+        };
+        is_before(self, other) || is_before(other, self)
     }
 }
 
@@ -268,5 +294,29 @@ mod tests {
         let (steep, even) = (base(0.5), base(0.1));
         assert!(steep.is_sound() && even.is_sound());
         assert!(Frame::of(&even).is_near() && !Frame::of(&steep).is_near());
+    }
+
+    /// `N F` from an h-set to itself within `half_cycles` and a half: a whole number of forcing periods, or not.
+    #[test]
+    fn a_word_takes_whole_forcing_periods_and_its_strip_has_numbers() {
+        let number = |text: &str| serde_json::from_str::<Decimal>(&format!("\"{text}\"")).expect("a decimal");
+        let read = |half_cycles: i64, place: &str| {
+            let word = Word { from: 0, to: 0, half_cycles, flights: vec![false, true] };
+            let [left, right] = [place, "0.5"].map(|place| [number(place), number("0.001")]);
+            Branch::read(&word, &ConeWordDocument { left, right, rises: true, counts: true })
+        };
+        assert_eq!(read(3, "0.25").map(|branch| (branch.turns, branch.strip.left)), Some((2.0, [0.25, 0.001])));
+        assert!(read(4, "0.25").is_none() && read(-1, "0.25").is_none() && read(i64::MAX, "0.25").is_none());
+        assert!(read(3, "1e400").is_none());
+    }
+
+    #[test]
+    fn strips_are_apart_or_not_and_in_their_parallelogram_or_not() {
+        let strip = |middle: f64, lean: f64| Strip { left: [middle - 0.1, lean], right: [middle + 0.1, lean] };
+        assert!(strip(0.0, 0.0).is_apart(&strip(0.21, 0.005)) && strip(0.21, 0.005).is_apart(&strip(0.0, 0.0)));
+        assert!(!strip(0.0, 0.0).is_apart(&strip(0.21, 0.02)) && !strip(0.0, 0.0).is_apart(&strip(0.0, 0.0)));
+        assert!(strip(0.5, 0.3).is_sound() && !strip(0.8, 0.15).is_sound() && !strip(-0.8, 0.15).is_sound());
+        let crossed = Strip { left: [0.0, 0.2], right: [0.1, 0.0] };
+        assert!(!crossed.is_sound() && !Strip { left: [0.2, 0.0], right: [0.1, 0.0] }.is_sound());
     }
 }
