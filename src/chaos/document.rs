@@ -6,10 +6,10 @@ use std::iter;
 use num_traits::ToPrimitive;
 
 use impact_pair_document::{
-    BaseDocument, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, ConeWordDocument, ConesWitness, Corner, CornersDocument,
-    Decimal, EnteredDocument, EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument, MovedDocument,
-    NotNegative, PROGRAM, ParameterRange, PeriodDocument, RatesDocument, SceneDocument, SceneOrbitDocument,
-    StripDocument, TRAP_SCHEMA, TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
+    BaseDocument, Between, CHAOS_SCHEMA, ChaosDocument, ChaosWitness, ConeWordDocument, ConesWitness, Corner,
+    CornersDocument, Decimal, EnteredDocument, EntropyDocument, GivenBase, HyperbolicDocument, LeftOutDocument,
+    MovedDocument, NotNegative, PROGRAM, ParameterRange, PeriodDocument, RatesDocument, SceneDocument,
+    SceneOrbitDocument, StripDocument, TRAP_SCHEMA, TrapDocument, UpTo, WallWordsDocument, WordDocument, bounds,
 };
 
 use super::blocks::Word as Block;
@@ -136,7 +136,7 @@ fn cones(set: &Hyperbolic) -> ConesWitness {
     ConesWitness {
         words: set.proof.words.iter().map(word).collect(),
         letters: set.proof.letters.map(|letters| letters as u32), // exact: a few
-        unstable,
+        unstable: Between::computed(unstable),
     }
 }
 

@@ -148,7 +148,7 @@ pub struct ConesWitness {
     /// Expansion is bounded along strings of this many words: of all words of the set, and of those that count for the lower bound of the dimension.
     pub letters: [u32; 2],
     /// The parts of the bounds of the dimension that are along the expanding direction, about.
-    pub unstable: [Decimal; 2],
+    pub unstable: Bounds,
 }
 
 /// A word of a hyperbolic set, with a strip between two straight sides, in the coordinates of [`StripDocument`]: each side by its place at the middle

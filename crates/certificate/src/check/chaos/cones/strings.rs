@@ -94,6 +94,7 @@ impl Strings<'_> {
         let alone = self.words.iter().enumerate().map(|(word, proved)| (vec![word], Part::of(inside(proved))));
         let mut level: Level = alone.collect();
         let mut slopes = vec![[-self.kappa, self.kappa]; self.words.len()];
+        // V14: strings of any length will do
         for length in 1..=letters.min(MAX_LENGTH) {
             if length > 1 {
                 if !self.are_few(&level) {
