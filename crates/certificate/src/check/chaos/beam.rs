@@ -292,6 +292,14 @@ impl Landing {
         self.sheared([u * delay_u + w * delay_w, u * speed_u + w * speed_w])
     }
 
+    /// Holds the number and the slope that the image of the vector `(1, slope)` is a multiple of `(1, slope)` with; `None` where its phase may not change.
+    /// (V14)
+    pub fn direction(&self, slope: Span) -> Option<[Span; 2]> {
+        let [[delay_u, speed_u], [delay_w, speed_w]] = self.units;
+        let (delay, speed) = (delay_u + slope * delay_w, speed_u + slope * speed_w);
+        Some([delay.unturned(), (self.bend + speed.over(delay)?).turned()])
+    }
+
     /// Holds the image of the centre for all parameters (V14).
     pub fn image(&self) -> Spot {
         let [.., e, gap] = self.changes.map(|change| self.sheared(change).map(Span::around));

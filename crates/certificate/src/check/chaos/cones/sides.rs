@@ -5,13 +5,25 @@ use super::super::span::Span;
 
 /// Two vectors at each state of a cell, the second one being `part first + rest`.
 ///
-/// **Enclosure**: the vectors, the number `part`, and the determinant of `first` and `rest`, at each state.
+/// **Enclosure**: the vectors, the number and the slope with which the first one is a multiple of `(1, slope)`, as far as they are known, the number
+/// `part`, and the determinant of `first` and `rest`, at each state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides {
     pub first: Spot,
+    line: Option<[Span; 2]>,
     part: Span,
     rest: Spot,
     area: Span,
+}
+
+/// The number and the slope of a vector; `None` where its phase may be 0.
+fn line([u, w]: Spot) -> Option<[Span; 2]> {
+    Some([u, w.over(u)?])
+}
+
+/// Holds what two vectors hold. V14: both hold the same ones
+fn both(one: Spot, other: Option<Spot>) -> Spot {
+    [0, 1].map(|i| other.and_then(|other| one[i].common(other[i])).unwrap_or(one[i]))
 }
 
 pub(super) fn cross([a, b]: Spot, [c, d]: Spot) -> Span {
@@ -20,7 +32,7 @@ pub(super) fn cross([a, b]: Spot, [c, d]: Spot) -> Span {
 
 impl Sides {
     pub fn new(first: Spot, second: Spot) -> Self {
-        Self { first, part: Span::point(0.0), rest: second, area: cross(first, second) }
+        Self { first, line: line(first), part: Span::point(0.0), rest: second, area: cross(first, second) }
     }
 
     pub fn second(&self) -> Spot {
@@ -34,8 +46,13 @@ impl Sides {
 
     /// Returns the sides of the image of states of these speeds, `centre` being that of their middle.
     pub fn landed(&self, landing: &Landing, (restitution, speed): (Span, Span), centre: Spot) -> Self {
+        let line = self.line.or_else(|| line(self.first)).and_then(|[length, slope]| {
+            let [by, slope] = landing.direction(slope)?;
+            Some([length * by, slope])
+        });
         let [first, rest] = [self.first, self.rest].map(|side| landing.derivative(side));
-        let moved = Self { first, rest, area: cross(first, rest), ..*self };
+        let first = both(first, line.map(|[length, slope]| [length, length * slope]));
+        let moved = Self { first, line, rest, area: cross(first, rest), ..*self };
         let after = centre[1] + moved.spread(1);
         let area = (restitution * restitution * speed).over(after).map(|by| self.area * by);
         area.map_or(moved, |area| Self { area, ..moved }.split_along_first())
@@ -56,7 +73,10 @@ impl Sides {
     /// The vectors in other coordinates, `None` where these are not known.
     pub fn seen(&self, coordinates: impl Fn(Spot) -> Option<Spot>) -> Option<Self> {
         let (first, rest) = (coordinates(self.first)?, coordinates(self.rest)?);
-        Some(Self { first, rest, area: cross(first, rest), ..*self })
+        let along =
+            self.line.and_then(|[length, slope]| Some(coordinates([Span::point(1.0), slope])?.map(|x| x * length)));
+        let first = both(first, along);
+        Some(Self { first, line: None, rest, area: cross(first, rest), ..*self })
     }
 
     /// Holds the sum of multiples of both, at each state.
