@@ -92,10 +92,28 @@ mod tests {
     use super::super::super::allowance::Allowance;
     use super::super::super::bases::Chord;
     use super::super::super::bases::HSet;
+    use super::super::super::beam::FlightBundle;
     use super::super::super::guess::Guess;
     use super::super::super::tests::figure_14;
     use super::super::strip::{Branch, Cell, Frame, Map, Strip};
     use super::*;
+
+    /// The image of `(1, slope)` by its number and slope is that of the derivative.
+    #[test]
+    fn directions_are_those_of_derivatives() {
+        let (law, middle) = (figure_14(), [0.72, 1.25]);
+        let image = Guess::new(&law).map(middle).expect("a flight");
+        let at = middle.map(Span::point);
+        let bundle = FlightBundle::of(&law, at, at, [[Span::point(0.0); 2]; 3]);
+        let landing = bundle.land(image.is_far, image.time).expect("a first contact");
+        for slope in [-30.0, -2.0, 0.0, 0.5, 7.0].map(Span::point) {
+            let [by, next] = landing.direction(slope).expect("a direction");
+            for (one, other) in [by, by * next].into_iter().zip(landing.derivative([Span::point(1.0), slope])) {
+                let away = one - other;
+                assert!(away.lo() <= 0.0 && 0.0 <= away.hi() && away.hi() - away.lo() < 1e-9, "{one:?} {other:?}");
+            }
+        }
+    }
 
     /// Derivatives along orbits in doubles are an independent route: the map's Jacobian by its implicit function.
     #[test]
