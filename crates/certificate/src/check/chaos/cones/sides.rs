@@ -21,8 +21,9 @@ fn line([u, w]: Spot) -> Option<[Span; 2]> {
     Some([u, w.over(u)?])
 }
 
-/// Holds what two vectors hold. V14: both hold the same ones
+/// Holds what two enclosures of the same vectors have in common.
 fn both(one: Spot, other: Option<Spot>) -> Spot {
+    // V14: both hold the same ones
     [0, 1].map(|i| other.and_then(|other| one[i].common(other[i])).unwrap_or(one[i]))
 }
 
