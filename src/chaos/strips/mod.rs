@@ -182,33 +182,56 @@ mod tests {
         );
     }
 
-    /// States of a strip fly in doubles as its word says, and come between bottom and top of the h-set, its sides beyond the edges.
+    /// States of strips fly in doubles as their words say, and come between bottom and top of the h-set, their sides beyond the edges.
     #[test]
     fn states_of_strips_fly_as_their_words_say() {
         let (law, bases) = (law(), bases());
-        let guess = Guess::new(&law);
         let words = words(&law, &bases);
         for (path, strip) in words.iter().zip(strips(&law, &bases, &words, &Unwatched)) {
-            let strip = strip.expect("a strip");
-            let [from, to] = [path.from, path.to].map(|base| Frame::of(&bases[base]));
-            let flown = |across: f64, height: f64| -> State {
+            flies(&bases, path, &strip.expect("a strip").sides(), &law);
+        }
+    }
+
+    /// So they do for parameters of a range that is a tenth of the breadth of an h-set, or so, with the sides that strips have there.
+    #[test]
+    fn states_of_strips_that_move_fly_as_their_words_say() {
+        let (middle, bases) = (law(), bases().map(|base| base.wider(4.0)));
+        let law = Law { gap: Ball::new(middle.gap.mid(), 4e-4), restitution: Ball::new(0.5, 2e-4) };
+        let words = words(&middle, &bases[1..]);
+        let found = strips(&law, &bases[1..], &words, &Unwatched);
+        assert!(found.iter().flatten().count() > 4, "{}", found.iter().flatten().count());
+        assert!(found.iter().flatten().any(|strip| strip.moved.iter().any(|moved| moved.by == [0, 1])));
+        for (path, strip) in words.iter().zip(found) {
+            let Some(strip) = strip else { continue };
+            for [s, t] in [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0], [0.3, -0.6], [0.0, 0.0]] {
+                let at = |all: Ball, part: f64| Ball::exact(all.mid() + part * all.rad());
+                let own = Law { gap: at(law.gap, s), restitution: at(law.restitution, t) };
+                let shift = [[s, 0.0], [t, 0.0]].map(|part| part.map(Ball::exact));
                 let Sides { left, right } = strip.sides();
-                let [left, right] = [left, right].map(|side| side.at(Ball::exact(height)).mid());
-                let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
-                let mut state = [0, 1].map(|i| from.centre[i] + xi * from.along[i] + height * from.across[i]);
-                for side in &path.sides {
-                    let image = guess.map(state).expect("a flight");
-                    assert_eq!(image.side, *side);
-                    state = image.state;
-                }
-                to.seen([state[0] - turns(path) - to.centre[0], state[1] - to.centre[1]])
-            };
-            for j in -6..=6 {
-                let at = |i: i32| flown(f64::from(i) / 4.0, f64::from(j) / 6.0);
-                assert!((-4..=4).all(|i| at(i)[1].abs() < 1.0));
-                let [a, b] = [at(-4)[0], at(4)[0]];
-                assert!(a.abs() > 1.0 && b.abs() > 1.0 && a * b < 0.0, "{a} {b}");
+                flies(&bases[1..], path, &Sides { left: left.on(shift), right: right.on(shift) }, &own);
             }
+        }
+    }
+
+    fn flies(bases: &[HSet], path: &Path, sides: &Sides, law: &Law) {
+        let guess = Guess::new(law);
+        let [from, to] = [path.from, path.to].map(|base| Frame::of(&bases[base]));
+        let flown = |across: f64, height: f64| -> State {
+            let [left, right] = [&sides.left, &sides.right].map(|side| side.at(Ball::exact(height)).mid());
+            let xi = 0.5 * ((1.0 - across) * left + (1.0 + across) * right);
+            let mut state = [0, 1].map(|i| from.centre[i] + xi * from.along[i] + height * from.across[i]);
+            for side in &path.sides {
+                let image = guess.map(state).expect("a flight");
+                assert_eq!(image.side, *side);
+                state = image.state;
+            }
+            to.seen([state[0] - turns(path) - to.centre[0], state[1] - to.centre[1]])
+        };
+        for j in -6..=6 {
+            let at = |i: i32| flown(f64::from(i) / 4.0, f64::from(j) / 6.0);
+            assert!((-4..=4).all(|i| at(i)[1].abs() < 1.0));
+            let [a, b] = [at(-4)[0], at(4)[0]];
+            assert!(a.abs() > 1.0 && b.abs() > 1.0 && a * b < 0.0, "{a} {b}");
         }
     }
 
