@@ -116,6 +116,16 @@ impl Span {
         (lo <= hi).then_some(Self { lo, hi })
     }
 
+    /// The sum, of whose ends those that are doubles stay where they are. Lemma V11 (doubles)
+    pub fn plus(self, other: Self) -> Self {
+        let end = |a: f64, b: f64, outward: f64| {
+            let sum = a + b;
+            // V11: one of these differences is exact, so that the sum is
+            if sum - a == b && sum - b == a { sum } else { sum + outward * step(sum) }
+        };
+        Self::new(end(self.lo, other.lo, -1.0), end(self.hi, other.hi, 1.0))
+    }
+
     pub fn scaled(self, factor: f64) -> Self {
         self * Self::point(factor)
     }

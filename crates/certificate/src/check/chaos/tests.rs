@@ -234,6 +234,33 @@ proptest! {
     }
 }
 
+/// V11, closed: an upper end on an edge is in the closed box below, and one beyond it is not.
+#[test]
+fn an_upper_end_on_an_edge_is_in_the_box_below() {
+    let region = Region::new(64, 8, [[3, 5], [63, 5]]);
+    let holds =
+        |phase: [f64; 2], speed: [f64; 2]| region.holds(Span::new(phase[0], phase[1]), Span::new(speed[0], speed[1]));
+    let (phase, speed) = ([3.0 / 64.0, 4.0 / 64.0], [5.0 / 8.0, 6.0 / 8.0]);
+    assert!(holds(phase, speed) && holds([1.99, 2.0], speed) && holds([phase[0]; 2], [speed[0]; 2]));
+    assert!(!holds([phase[0], phase[1].next_up()], speed) && !holds(phase, [speed[0], speed[1].next_up()]));
+    assert!(!holds([phase[0].next_down(), phase[1]], speed) && !holds(phase, [speed[0].next_down(), speed[1]]));
+}
+
+proptest! {
+    /// V11, doubles: the sum holds the exact one, and ends that are doubles stay.
+    #[test]
+    fn sums_of_few_bits_are_exact(a in any::<i32>(), b in any::<i32>(), c in -1e3..1e3f64, m in -60..60i32, n in -60..60i32) {
+        let exact = |x: f64| num_rational::BigRational::from_float(x).unwrap();
+        let (a, b) = (f64::from(a) * 2f64.powi(m), f64::from(b) * 2f64.powi(n));
+        for (a, b) in [(a, b), (a, c), (c, b)] {
+            let sum = Span::point(a).plus(Span::point(b));
+            let whole = exact(a) + exact(b);
+            prop_assert!(exact(sum.lo()) <= whole && whole <= exact(sum.hi()));
+            prop_assert_eq!(exact(a + b) == whole, sum.lo() == sum.hi());
+        }
+    }
+}
+
 /// V16: no two letters of a kind in a row, whose words are the Fibonacci numbers; a slower growth is not proved, by counts nor by all sets.
 #[test]
 fn words_grow_by_the_golden_mean() {
