@@ -7,7 +7,8 @@ use num_integer::Integer;
 
 use super::affine::Affine;
 use super::basin::{Contraction, Ellipse};
-use super::contact::{Doubt, clear_throughout};
+use super::contact::Doubt;
+use super::excursion::leaves_the_gap;
 use super::round::{Matrix, Round};
 use super::step::{Landing, Launch};
 use impact_pair_exact::Real;
@@ -63,22 +64,21 @@ impl<'r> FixedPoint<'r> {
         &self.landings[..self.round.walls.len()]
     }
 
-    /// Proves that the flights are admissible or virtual as claimed. Flights with proved first contacts are admissible; for virtual
-    /// flights, the ball is proved to touch a wall before one of the impacts.
+    /// Proves that the flights are admissible or virtual as claimed. Flights with proved first contacts are admissible; of a virtual orbit
+    /// a flight is proved to lie beyond a wall before its contact. Lemma V8
     pub fn is_physical_as(&self, claimed: Option<bool>) -> Result<(), Doubt> {
         if claimed != Some(false) {
             return Ok(());
         }
         let (round, landings) = (self.round, &self.landings);
-        let is_cut_short = |i: usize| {
+        let is_beyond = |i: usize| {
             let departure = Launch::rebound(round.parameters, &landings[i]);
             let end = landings[i + 1].phase.hull() - &landings[i].phase.hull();
             let end = if i + 2 == landings.len() { end + &round.lasting } else { end };
             let [end, _] = end.ends();
-            let flight = departure.flights(round.parameters);
-            matches!(clear_throughout(&flight, departure.start, &end, &end), Err(Doubt::False(_)))
+            leaves_the_gap(&departure.flights(round.parameters), &end)
         };
-        if (0..landings.len() - 1).any(is_cut_short) {
+        if (0..landings.len() - 1).any(is_beyond) {
             return Ok(());
         }
         Err(Doubt::open("no earlier contact is proved"))
@@ -106,6 +106,11 @@ impl<'r> FixedPoint<'r> {
             None if is_judged => Err(Doubt::open("it is not decided whether the orbit is symmetric")),
             _ => Ok(()),
         }
+    }
+
+    /// Whether the orbit is a motion that is proved to be its own mirror image. Lemma V8
+    pub fn is_a_symmetric_motion(&self, has_mirror: Option<bool>) -> bool {
+        self.round.is_physical && self.is_symmetric(has_mirror) == Some(true)
     }
 
     /// Whether the orbit is its own mirror image half a common period later; `has_mirror`: the forcing changes sign then, if decided.

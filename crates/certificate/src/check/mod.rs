@@ -32,6 +32,7 @@ mod curve;
 mod cycles;
 mod data;
 mod distinct;
+mod excursion;
 mod fixed_point;
 mod flight;
 mod frame;

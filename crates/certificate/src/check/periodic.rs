@@ -12,15 +12,16 @@ use super::complete::List;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::distinct::{Recurrence, begins_within};
-use super::frame::Frame;
+use super::frame::{Frame, hull};
 use super::round::Round;
+use super::step::{Landing, Launch};
 use super::target::{BITS, Target};
 use super::{Limits, Verdict, one_by_one};
-use crate::attraction::ClaimedOrbit;
+use crate::attraction::{ClaimedOrbit, Passage};
 use crate::periodic::{OrbitOf, PeriodicCertificate, Search};
 use impact_pair_exact::Real;
-use impact_pair_model::Error;
 use impact_pair_model::watch::{Latched, Watch};
+use impact_pair_model::{Error, Wall};
 
 impl PeriodicCertificate {
     /// Proves every orbit again, or names an orbit that is refuted or undecided. The watch can stop the check and
@@ -120,7 +121,7 @@ impl Target<'_> {
         let (centre, derivative) = round.polish(self.guess(&frame))?;
         let claimed = self.first(&frame);
         let phase = round.near(&claimed.phase, &centre[0]).ok_or_else(|| Doubt::open("the phase is too large"))?;
-        let claimed = super::step::Landing { phase, ..claimed };
+        let claimed = Landing { phase, ..claimed };
         let basin = basin(&round, &stepped(&centre, &derivative), &[&claimed])?;
         self.encloses(piece, &basin, &claimed, &centre, &round)
     }
@@ -140,19 +141,44 @@ impl Target<'_> {
         Ok(self.round(frame, self.times(frame)?, self.is_physical()))
     }
 
-    /// Approximate durations of the flights between the claimed impacts. Phases are given modulo forcing periods, so durations follow from the drift.
+    /// Approximate durations of the flights between the claimed impacts: from the drifts, or where these do not fit from the claimed `cycle`s.
     pub(super) fn times(&self, frame: &Frame) -> Result<Vec<Real>, Doubt> {
-        let none = || Doubt::open("the claimed impacts do not follow one another in this number of forcing periods");
+        let times = self.drifting_times(frame).or_else(|| self.counted_times(frame));
         let bits = frame.turn.bits();
-        let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().map_err(|_| none())?; // proposes
+        let exact = |time: f64| impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits));
+        let times = times.and_then(|times| times.into_iter().map(exact).collect());
+        times.ok_or_else(|| {
+            Doubt::open("the claimed impacts do not follow one another in this number of forcing periods")
+        })
+    }
+
+    /// The durations by `cycle` and `phase` of the impacts; `None` where a `cycle` is not claimed. Lemma T13
+    fn counted_times(&self, frame: &Frame) -> Option<Vec<f64>> {
+        let impacts = &self.claim.impacts;
+        let turn = frame.turn.to_f64();
+        let at = |impact: &Passage| {
+            let phase = hull(&impact.phase.each_ref().map(|phase| Real::rational(phase, frame.turn.bits())));
+            Some(impact.cycle? as f64 * turn + phase.to_f64()) // proposes
+        };
+        let places = impacts.iter().map(at).collect::<Option<Vec<_>>>()?;
+        let again = places[0] + self.cycles as f64 * turn; // proposes
+        let next = places.iter().skip(1).copied().chain([again]);
+        Some(places.iter().zip(next).map(|(from, to)| to - from).collect())
+    }
+
+    /// The durations by the drifts: the phases are given modulo forcing periods.
+    fn drifting_times(&self, frame: &Frame) -> Option<Vec<f64>> {
+        let bits = frame.turn.bits();
+        let common = frame.turn.to_f64() * self.turns.to_string().parse::<f64>().ok()?; // proposes
         let float = |x: Real| Real::point(x.mid(), bits).to_f64();
         let count = self.claim.impacts.len();
         let (mut times, mut whole) = (Vec::new(), 0.0);
         for (from, to) in (0..count).map(|i| (i, (i + 1) % count)) {
             let [from, to] = [from, to].map(|i| self.state(frame, i));
-            let departure = super::step::Launch::rebound(&frame.parameters, &from);
+            let departure = Launch::rebound(&frame.parameters, &from);
             let shaking = frame.parameters.shaking(&departure.phase.centre, |x| x.centre.clone());
-            let level = |wall| if wall == impact_pair_model::Wall::Right { 1.0 } else { -1.0 } * float(frame.parameters.half_gap.centre.clone());
+            let half_gap = float(frame.parameters.half_gap.centre.clone());
+            let level = |wall| if wall == Wall::Right { half_gap } else { -half_gap };
             let turned = to.phase.centre.clone() - &from.phase.centre;
             let least = float(turned.clone()).rem_euclid(common); // proposes
             let drift = float(departure.velocity.centre.clone() + &shaking.first_velocity());
@@ -161,10 +187,10 @@ impl Target<'_> {
             // proposes: a time near a whole number of periods may be a period off
             let time = least + common * if more.is_finite() { more.round().max(-1.0) } else { 0.0 };
             whole += time;
-            times.push(impact_pair_exact::Dyadic::from_f64(time).map(|time| Real::point(time, bits)).ok_or_else(none)?);
+            times.push(time);
         }
         let periods = whole / frame.turn.to_f64();
         // proposes: durations that do not fit the claimed cycles do not prove the orbit either
-        if (periods - self.cycles as f64).abs() < 0.5 { Ok(times) } else { Err(none()) }
+        ((periods - self.cycles as f64).abs() < 0.5).then_some(times)
     }
 }

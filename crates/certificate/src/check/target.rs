@@ -224,6 +224,8 @@ impl<'c> Target<'c> {
             let lasting = frame.turn.clone() * &Real::rational(&BigInt::from(self.cycles).into(), bits);
             let found = right.phase.hull() - &left.phase.hull();
             let found = if found.is_negative() { found + &lasting } else { found };
+            // V8 (spacing): each of both flights is the mirror image of the other
+            let found = if orbit.is_a_symmetric_motion(self.data.has_mirror()) { lasting.half() } else { found };
             if middle.is_negative() || lasting.is_below(&middle) {
                 return Err(Doubt::False("the spacing does not fit the number of forcing periods".into()));
             }

@@ -1,0 +1,48 @@
+//! Flights that lie beyond a wall before their contact: no motion has them (Lemma V8, motions).
+
+use super::flight::{Flight, Part};
+use super::number::Number;
+use super::span::Span;
+use impact_pair_exact::{Dyadic, Real};
+
+/// Parts of a radian of the fastest harmonic in which a change of direction is sought.
+const PARTS_OF_A_RADIAN: f64 = 10.0;
+/// Most parts of a flight: flights of more than 1,000 forcing periods are looked at less closely.
+const MAX_PARTS: f64 = 65_536.0;
+/// Halvings of a part for the phase at which the direction changes: as many as a double has bits.
+const HALVINGS: u32 = 53;
+
+/// Whether all flights are proved to lie beyond a wall at some phase before `end`. Any phase proves it; those at which the flight turns
+/// around are tried.
+pub(super) fn leaves_the_gap(flight: &Flight, end: &Real) -> bool {
+    let Some(doubles) = flight.in_doubles(u64::MAX) else { return false };
+    let length = end.to_f64();
+    let parts = (length * PARTS_OF_A_RADIAN).ceil().clamp(1.0, MAX_PARTS); // proposes: where it is looked
+    let at = |k: u32| length * f64::from(k) / parts;
+    // proposes: whole numbers, small
+    (0..parts as u32).filter_map(|k| turning(&doubles, at(k), at(k + 1))).any(|h| {
+        let near = Span::point(h);
+        if matches!(doubles.place(&doubles.height(&near)), Part::Clear) {
+            return false; // exact: not proved there
+        }
+        Dyadic::from_f64(h).map(|h| Real::point(h, flight.bits())).is_some_and(|h| {
+            let is_before = h.is_positive() && h.is_below(end);
+            is_before && matches!(flight.place(&flight.height(&h)), Part::Contact)
+        })
+    })
+}
+
+/// A phase between two others at which the middle of the flights turns around, if the directions at both differ. Non-rigorous.
+fn turning(flight: &Flight<'_, Span>, from: f64, to: f64) -> Option<f64> {
+    let slope = |h: f64| flight.slope(&Span::point(h)).to_f64();
+    let is_forward = slope(from) > 0.0;
+    if is_forward == (slope(to) > 0.0) {
+        return None;
+    }
+    let (mut from, mut to) = (from, to);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        *if (slope(middle) > 0.0) == is_forward { &mut from } else { &mut to } = middle;
+    }
+    Some(from)
+}
