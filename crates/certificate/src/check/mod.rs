@@ -59,6 +59,7 @@ mod sweep;
 mod tangency;
 mod target;
 mod units;
+mod unlisted;
 mod walk;
 mod windows;
 

@@ -39,11 +39,16 @@ impl Walk<'_> {
     pub(super) fn release_of_several(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
         compare("time", &self.clock.time(&root), &claim.time)?;
+        self.leave_of_several(rest.wall, root);
+        Ok(())
+    }
+
+    /// Goes on from a release with several harmonics.
+    pub(super) fn leave_of_several(&mut self, wall: Wall, root: Real) {
         // The release is taken as independent of the data: a landing depends on its phase by p - E''(0) h = 0.
         let released = Affine::fixed(root.clone()).recentred();
-        self.standing = WalkState::released(&self.parameters, rest.wall, released);
-        self.recur(Release { wall: rest.wall, moment: Moment::Phase(root), impacts: self.impacts });
-        Ok(())
+        self.standing = WalkState::released(&self.parameters, wall, released);
+        self.recur(Release { wall, moment: Moment::Phase(root), impacts: self.impacts });
     }
 
     /// Stores a release, and the periods that end with it. Lemma V3 (recurrence)

@@ -11,7 +11,7 @@ use super::contact::{Claimed, Doubt};
 use super::data::Data;
 use super::release::{Moment, Release};
 use super::standing::WalkState;
-use super::step::Launch;
+use super::step::{Landing, Launch};
 use super::walk::{Walk, compare};
 use crate::Claim;
 use impact_pair_exact::Real;
@@ -57,10 +57,7 @@ impl<'c> Walk<'c> {
     fn chatter(&self, claim: &Claim) -> Result<WalkState<'c>, Doubt> {
         let (wall, parameters) = (claim.wall, &self.parameters);
         let mut departure = self.standing.departure().clone();
-        // V3: each member bounces; after a first contact, which is transversal, all that is needed is e > 0
-        let moves = |velocity: Real| velocity.is_positive() || velocity.is_negative();
-        let has_velocity = self.standing.landing().is_some() || moves(departure.velocity.hull());
-        if !(has_velocity && parameters.restitution.hull().is_positive()) {
+        if !self.bounces() {
             return Err(Doubt::open("the ball may stay on its wall without any bounce"));
         }
         for _ in 0..MAX_BOUNCES {
@@ -78,12 +75,24 @@ impl<'c> Walk<'c> {
         Err(Doubt::open("the rest is not enclosed as claimed"))
     }
 
-    /// The departure after the next bounce of a chatter, which is not listed.
-    fn bounced(&self, departure: &Launch, wall: Wall) -> Result<Launch, Doubt> {
+    /// Whether all members are proved to leave their wall with a velocity. Lemma V3
+    pub(super) fn bounces(&self) -> bool {
+        let velocity = self.standing.departure().velocity.hull();
+        // V3: after a first contact, which is transversal, all that is needed is e > 0
+        let has_velocity = self.standing.landing().is_some() || velocity.is_positive() || velocity.is_negative();
+        has_velocity && self.parameters.restitution.hull().is_positive()
+    }
+
+    /// The next bounce of a chatter, after a departure from `wall`.
+    pub(super) fn bounce(&self, departure: &Launch, wall: Wall) -> Result<Landing, Doubt> {
         let guess = bounce(departure, &self.parameters)?;
         let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
-        let landing = departure.land(&self.parameters, wall, &claimed)?;
-        Ok(Launch::rebound(&self.parameters, &landing))
+        departure.land(&self.parameters, wall, &claimed)
+    }
+
+    /// The departure after the next bounce of a chatter, which is not listed.
+    fn bounced(&self, departure: &Launch, wall: Wall) -> Result<Launch, Doubt> {
+        Ok(Launch::rebound(&self.parameters, &self.bounce(departure, wall)?))
     }
 
     /// Proves that no unlisted impact of a chatter comes before the time `until`, unless the rest comes before `until` as well
@@ -135,18 +144,37 @@ impl<'c> Walk<'c> {
         Ok(())
     }
 
+    /// Goes on with the release after a rest, without a claim.
+    pub(super) fn leave(&mut self, rest: &Rest) -> Result<(), Doubt> {
+        if self.parameters.is_still() {
+            return Err(Doubt::open("the ball lies on its wall for ever"));
+        }
+        if self.data.only().is_some() {
+            let (halves, clock) = self.released_of_one(rest)?;
+            self.leave_of_one(rest.wall, halves, clock);
+        } else {
+            let root = self.turning(rest).ok_or_else(|| Doubt::open("no release is proved"))?;
+            self.leave_of_several(rest.wall, root);
+        }
+        Ok(())
+    }
+
     /// Proves the release with one harmonic: at an even number of half periods on the left wall, an odd one on the right wall.
     fn release_of_one(&mut self, rest: &Rest, claim: &Claim) -> Result<(), Doubt> {
         let (halves, clock) = self.released_of_one(rest)?;
-        let (wall, odd) = (rest.wall, i64::from(rest.wall == Wall::Right));
+        compare("time", &clock.time(&Real::zero(self.bits)), &claim.time)?;
+        self.leave_of_one(rest.wall, halves, clock);
+        Ok(())
+    }
+
+    /// Goes on from a release with one harmonic, from which phases are counted.
+    fn leave_of_one(&mut self, wall: Wall, halves: BigInt, clock: Clock) {
+        let odd = i64::from(wall == Wall::Right);
         self.clock = clock;
-        let zero = || Real::zero(self.bits);
-        compare("time", &self.clock.time(&zero()), &claim.time)?;
         self.parameters.count_from(Real::int(odd, self.bits) * &Real::pi(self.bits));
-        self.standing = WalkState::released(&self.parameters, wall, Affine::fixed(zero()));
+        self.standing = WalkState::released(&self.parameters, wall, Affine::fixed(Real::zero(self.bits)));
         self.halves = &halves - odd;
         self.recur(Release { wall, moment: Moment::Halves(halves), impacts: self.impacts });
-        Ok(())
     }
 
     /// The half period of the release, and the clock of phases counted from it.

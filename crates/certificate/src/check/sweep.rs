@@ -4,8 +4,9 @@ use super::budget::Budget;
 use super::contact::Doubt;
 use super::data::{Data, Piece};
 use super::points::{Found, Tally, is_placed};
-use super::standing::Last;
+use super::rest::Rest;
 use super::step::Landing;
+use super::unlisted::Unlisted;
 use super::walk::{Walk, compare};
 use super::{FIRST_BITS, Limits, Verdict};
 use crate::Certificate;
@@ -60,47 +61,101 @@ impl ClaimedOrbit {
         }
         let (mut bits, mut before) = (FIRST_BITS, None);
         loop {
-            let mut walk = Walk::new(certificate, data, &Piece::default(), bits);
-            match self.follow(&mut walk) {
+            let mut motion = Unlisted::new(Walk::new(certificate, data, &Piece::default(), bits));
+            match self.follow(&mut motion) {
                 Ok(()) => return Ok(bits),
                 // More bits have not helped.
                 Err(doubt @ Doubt::Open(_))
-                    if before == Some(walk.impacts) || bits >= most || data.budget.is_spent() =>
+                    if before == Some(motion.walk.impacts) || bits >= most || data.budget.is_spent() =>
                 {
                     return Err(doubt);
                 }
-                Err(Doubt::Open(_)) => (before, bits) = (Some(walk.impacts), (2 * bits).min(most)), // proposes: the bits to try
+                Err(Doubt::Open(_)) => (before, bits) = (Some(motion.walk.impacts), (2 * bits).min(most)), // proposes: the bits to try
                 Err(doubt) => return Err(doubt),
             }
         }
     }
 
-    fn follow(&self, walk: &mut Walk<'_>) -> Result<(), Doubt> {
-        let mut states = self.states.iter().peekable();
-        if walk.standing.still().is_some() && self.impacts > 0 {
+    /// Follows the motion until all listed impacts are found, one after another. Lemma V42
+    fn follow(&self, motion: &mut Unlisted<'_>) -> Result<(), Doubt> {
+        if motion.walk.standing.still().is_some() && self.impacts > 0 {
             return Err(Doubt::open("the ball has no drift"));
         }
-        let mut may_rest = false;
-        while walk.impacts < self.impacts {
-            let next = walk.impacts + 1;
-            let open = || Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"));
-            let landing = walk.next_landing().ok_or_else(open)?;
-            // Unlisted bounces of a chatter that ends in a rest have no number: all later impacts are counted wrongly here.
-            may_rest |= walk.standing.last() == Last::Wall(landing.wall);
-            if let Some(state) = states.next_if(|state| state.index == next) {
-                let phase = self.phase_of(walk, &landing)?;
-                compare_state(state, walk, &landing, phase).map_err(|doubt| match doubt {
-                    Doubt::False(message) if may_rest => {
-                        Doubt::Open(format!("{message}, or a rest comes before, whose bounces are not counted"))
-                    }
-                    doubt => doubt,
-                })?;
+        if self.states.is_empty() {
+            return self.counts(motion);
+        }
+        let mut found = 0;
+        while let Some(state) = self.states.get(found) {
+            match self.find(motion, state, found > 0) {
+                Ok(()) => found += 1,
+                // V42: the list may begin later, where as many bounces as it takes came before
+                Err(Doubt::False(_)) if motion.is_free() => found = 0,
+                Err(doubt) => return Err(doubt),
             }
-            walk.go_on(landing);
-            walk.data.budget.allow(walk.bits, walk.data.tones.len());
         }
         Ok(())
     }
+
+    /// Follows the motion until a list may have as many impacts as claimed.
+    fn counts(&self, motion: &mut Unlisted<'_>) -> Result<(), Doubt> {
+        while !motion.may_count(self.impacts) {
+            match motion.rest().cloned() {
+                Some(rest) => motion.leave(&rest)?,
+                None => {
+                    let landing = next_impact(motion, self.impacts)?;
+                    motion.go_on(landing);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Follows the motion until the impact that is listed as `state`: the next one if the list has the one before.
+    fn find(&self, motion: &mut Unlisted<'_>, state: &SweepImpact<Bounds>, is_next: bool) -> Result<(), Doubt> {
+        loop {
+            if let Some(rest) = motion.rest().filter(|rest| !may_be_bounce(state, motion, rest)).cloned() {
+                motion.leave(&rest)?;
+                continue;
+            }
+            let landing = next_impact(motion, state.index)?;
+            let found = (is_next || motion.may_be_next(state.index)).then(|| {
+                let phase = self.phase_of(&motion.walk, &landing)?;
+                compare_state(state, &motion.walk, &landing, phase)
+            });
+            motion.go_on(landing);
+            match found {
+                Some(Ok(())) => return Ok(()),
+                // Bounces of a complete chatter have no number.
+                Some(Err(Doubt::False(message))) if motion.has_bounced() && !motion.is_free() => {
+                    let reason = "or a rest comes before, whose bounces are not counted";
+                    return Err(Doubt::Open(format!("{message}, {reason}")));
+                }
+                Some(Err(doubt)) => return Err(doubt),
+                None => {}
+            }
+        }
+    }
+}
+
+/// The next impact, if a list may have it with a number up to `index`.
+fn next_impact(motion: &Unlisted<'_>, index: u64) -> Result<Landing, Doubt> {
+    let landing = if motion.least() < index { motion.next_landing() } else { None };
+    let Walk { data, bits, .. } = &motion.walk;
+    data.budget.allow(*bits, data.tones.len());
+    landing.ok_or_else(|| {
+        let next = motion.least() + 1;
+        Doubt::Open(format!("impact {next} is not found: a graze, a rest, or it takes more bits"))
+    })
+}
+
+/// Whether a listed impact may be one of the bounces up to a rest, which become slower. Non-rigorous.
+fn may_be_bounce(state: &SweepImpact<Bounds>, motion: &Unlisted<'_>, rest: &Rest) -> bool {
+    let bits = motion.walk.bits;
+    let [lower, upper] = state.velocity.each_ref().map(|x| Real::rational(x, bits));
+    let claimed = lower.hull(&upper).to_f64().abs(); // proposes
+    let last = motion.walk.standing.landing().map(|landing| motion.walk.clock.velocity(&landing.velocity.hull()));
+    let is_slower = last.is_none_or(|last| claimed < last.to_f64().abs()); // proposes
+    motion.is_chatter() && state.wall == rest.wall && is_slower
 }
 
 impl ClaimedOrbit {

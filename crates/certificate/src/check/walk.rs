@@ -7,6 +7,7 @@ use super::affine::Affine;
 use super::clock::{Clock, SetPosition, beside};
 use super::contact::{Claimed, Doubt, first_hit};
 use super::data::{Data, Piece};
+use super::excursion::first_exit;
 use super::frame::Frame;
 use super::release::Release;
 use super::standing::WalkState;
@@ -162,15 +163,20 @@ impl<'c> Walk<'c> {
         }
     }
 
-    /// Encloses the next impact, without a claim: the first part with a contact of the middle's flight gives the place to search.
+    /// Encloses the next impact, without a claim: the first contact of the middle's flight in doubles, or else of all flights by parts,
+    /// gives the place to search.
     pub fn next_landing(&self) -> Option<Landing> {
         let departure = self.standing.departure();
-        let flight = departure.flights(&self.parameters);
-        let guess = first_hit(&flight, departure.start)?;
-        let y = flight.height(&guess);
-        let wall = if y.is_positive() { Wall::Right } else { Wall::Left };
-        let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
-        self.land(wall, &claimed).ok()
+        let land = |(wall, guess): (Wall, Real)| {
+            let claimed = Claimed { from: Real::zero(self.bits), guess, to: None, is_first: true };
+            self.land(wall, &claimed).ok()
+        };
+        first_exit(&departure.middle_flight(&self.parameters)).and_then(land).or_else(|| {
+            let flight = departure.flights(&self.parameters);
+            let hit = first_hit(&flight, departure.start)?;
+            let y = flight.height(&hit);
+            land((if y.is_positive() { Wall::Right } else { Wall::Left }, hit))
+        })
     }
 
     fn land(&self, wall: Wall, claimed: &Claimed) -> Result<Landing, Doubt> {

@@ -19,6 +19,7 @@ use crate::check::contact::Doubt;
 use crate::check::data::{Data, Piece};
 use crate::check::step::Landing;
 use crate::check::units::{greatest_speed, period};
+use crate::check::unlisted::Unlisted;
 use crate::check::walk::Walk;
 use crate::check::{FIRST_BITS, Finding, Limits, Verdict};
 use crate::trap::TrapCertificate;
@@ -182,14 +183,14 @@ impl TrapCertificate {
         let harmonic = pair.harmonic("a region")?;
         let mut bits = FIRST_BITS;
         loop {
-            let mut walk = Walk::new(&certificate, &data, &Piece::default(), bits);
+            let walk = Walk::new(&certificate, &data, &Piece::default(), bits);
             let is_in = |walk: &Walk<'_>, landing: &Landing| {
                 let turn = Real::pi(bits) * 2;
                 let phase = walk.absolute(&landing.phase.hull()).over(&turn)?;
                 let velocity = landing.velocity.hull().over(&Real::of(harmonic.amplitude(), bits))?;
                 Some(holds(region, &mirrored(landing.wall, phase, velocity)))
             };
-            if walk.standing.still().is_none() && enters_set(&mut walk, impact, is_in) {
+            if walk.standing.still().is_none() && enters_set(walk, impact, is_in) {
                 return Ok(Ok(bits));
             }
             if bits >= limits.bits || bits >= MAX_BITS || budget.is_spent() {
@@ -206,14 +207,21 @@ const MAX_BITS: u32 = 4096;
 /// More boxes than the program looks for are not judged.
 const MAX_BOXES: usize = 1 << 22;
 
-/// Returns whether one of the impacts from the walk's place up to this number is proved to be in a set, as long as there is work left.
-fn enters_set(walk: &mut Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
-    while walk.impacts < impact {
-        let Some(landing) = walk.next_landing() else { return false };
-        if is_in(walk, &landing) == Some(true) {
+/// Whether an impact to which a list may give this number, or a smaller one, is proved to be in a set, as long as there is work left. Lemma V42
+fn enters_set(walk: Walk<'_>, impact: u64, is_in: impl Fn(&Walk<'_>, &Landing) -> Option<bool>) -> bool {
+    let mut motion = Unlisted::new(walk);
+    while motion.least() < impact && !motion.walk.data.budget.is_spent() {
+        if let Some(rest) = motion.rest().cloned() {
+            if motion.leave(&rest).is_err() {
+                return false; // exact: nothing is proved
+            }
+            continue;
+        }
+        let Some(landing) = motion.next_landing() else { return false };
+        if is_in(&motion.walk, &landing) == Some(true) {
             return true;
         }
-        walk.go_on(landing);
+        motion.go_on(landing);
     }
     false
 }
