@@ -53,6 +53,25 @@ impl Affine {
         self.columns.get(j).cloned().unwrap_or_else(|| Real::zero(COLUMN_BITS)) // exact: it does not depend on it
     }
 
+    /// A superset whose columns before `first` are points: their widths are part of its error.
+    pub fn with_exact_columns(mut self, first: usize) -> Self {
+        let mut off = Real::point(self.error, COLUMN_BITS);
+        for column in self.columns.iter_mut().take(first) {
+            let point = Real::point(column.mid(), COLUMN_BITS);
+            off = off + &Real::point((column.clone() - &point).enclosure().mag(), COLUMN_BITS);
+            *column = point;
+        }
+        Self { error: off.enclosure().sup().clone(), ..self }
+    }
+
+    /// The same centre and columns before `first`, with two columns from `first` on, and no error.
+    pub fn with_own(self, first: usize, own: [Real; 2]) -> Self {
+        let mut columns = self.columns;
+        columns.resize(first, Real::zero(COLUMN_BITS));
+        columns.extend(own);
+        Self { centre: self.centre, columns, error: Dyadic::zero() }
+    }
+
     /// The values where the deviations from `first` on are 0.
     pub fn without(&self, first: usize) -> Self {
         let columns = self.columns.iter().take(first).cloned().collect();
@@ -105,9 +124,9 @@ impl Affine {
         Self { centre: self.centre.clone() + by, ..self }.recentred()
     }
 
-    /// Index of the deviation that the quantity depends on most.
-    pub fn widest(&self) -> Option<usize> {
-        let sizes = self.columns.iter().map(|column| column.enclosure().mag()).enumerate();
+    /// Index of the deviation before `first` that the quantity depends on most.
+    pub fn widest(&self, first: usize) -> Option<usize> {
+        let sizes = self.columns.iter().take(first).map(|column| column.enclosure().mag()).enumerate();
         sizes.filter(|(_, size)| !size.is_zero()).max_by(|a, b| a.1.cmp(&b.1)).map(|(j, _)| j)
     }
 
@@ -130,8 +149,15 @@ impl Affine {
         self.centre.clone() + &Real::within(&self.reach(), COLUMN_BITS) + &self.spread()
     }
 
-    /// Whether the deviations of the data make up most of the width.
-    pub fn is_wide_by_data(&self) -> bool {
-        self.reach() > self.error
+    /// Whether the deviations of the data, those before `first`, make up most of the width.
+    pub fn is_wide_by_data(&self, first: usize) -> bool {
+        self.without(first).reach() > self.own_reach(first)
+    }
+
+    /// Upper bound of the part that does not depend on the deviations before `first`.
+    pub fn own_reach(&self, first: usize) -> Dyadic {
+        let own = self.columns.iter().skip(first).map(|column| Real::point(column.enclosure().mag(), COLUMN_BITS));
+        let sum = own.fold(Real::point(self.error.clone(), COLUMN_BITS), |sum, x| sum + &x);
+        sum.enclosure().sup().clone()
     }
 }

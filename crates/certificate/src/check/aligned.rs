@@ -11,11 +11,13 @@ type Vector = [Real; 2];
 const SIDE_BITS: u32 = 32;
 
 impl Landing {
-    /// A superset with two deviations and no error, for a set that depends on no other deviations: the first deviation is along the
-    /// longer column of the set, the second one across that column.
-    pub fn aligned(self) -> Self {
-        let states = [&self.phase, &self.velocity];
-        let columns = [0, 1].map(|j| states.map(|x| x.column(j)));
+    /// A superset without error, with two deviations of its own from `first` on, after those of the data: the first one is along the longer
+    /// of its own columns, the second one across that column.
+    pub fn aligned(self, first: usize) -> Self {
+        let Self { wall, phase, velocity, angles } = self;
+        let [phase, velocity] = [phase, velocity].map(|x| x.with_exact_columns(first));
+        let states = [&phase, &velocity];
+        let columns = [0, 1].map(|j| states.map(|x| x.column(first + j)));
         let errors = states.map(Affine::spread);
         let along = direction(&columns);
         let across = [-&along[1], along[0].clone()];
@@ -26,9 +28,11 @@ impl Landing {
             let side = reach.over(&square)?.rounded(SIDE_BITS);
             Some(Real::point(side.enclosure().sup().clone(), COLUMN_BITS))
         };
-        let (Some(long), Some(wide)) = (side(&along), side(&across)) else { return self };
-        let state = |x: Affine, i: usize| Affine::spanned(x.centre, 0, [&along[i] * &long, &across[i] * &wide]);
-        Self { phase: state(self.phase, 0), velocity: state(self.velocity, 1), ..self }
+        let (Some(long), Some(wide)) = (side(&along), side(&across)) else {
+            return Self { wall, phase, velocity, angles };
+        };
+        let own = |x: Affine, i: usize| x.with_own(first, [&along[i] * &long, &across[i] * &wide]);
+        Self { wall, phase: own(phase, 0), velocity: own(velocity, 1), angles }
     }
 }
 
@@ -73,7 +77,7 @@ mod tests {
             let state = |i: usize| {
                 Affine::spanned(Real::within(&Dyadic::from_f64(errors[i]).unwrap(), 192), 0, rows[i].map(real)).recentred()
             };
-            let set = Landing::new(Wall::Left, state(0), state(1)).aligned();
+            let set = Landing::new(Wall::Left, state(0), state(1)).aligned(0);
             let exact = |x: f64| Dyadic::from_f64(x).unwrap().to_rational();
             let column = |x: &Affine, j| { let x = x.column(j); assert!(x.wid().is_zero()); x.mid().to_rational() };
             let [u, s] = [0, 1].map(|j| [&set.phase, &set.velocity].map(|x| column(x, j)));
@@ -86,6 +90,33 @@ mod tests {
                 let size = |x: num_rational::BigRational| if x < exact(0.0) { -x } else { x };
                 prop_assert!(size(across(&x, &s)) <= size(determinant.clone()) && size(across(&u, &x)) <= size(determinant));
             }
+        }
+
+        /// Members that depend on a datum, in a column that is known up to an error, have coordinates of at most 1 in the aligned set, too.
+        #[test]
+        fn columns_of_the_data_stay(
+            m in prop::array::uniform4(-1e3..1e3f64), datum in prop::array::uniform2(-1e3..1e3f64), wide in prop::array::uniform2(0.0..1.0f64),
+            signs in prop::array::uniform5(-1.0..=1.0f64)
+        ) {
+            let within = |x: f64, r: f64| (real(x) + &Real::within(&Dyadic::from_f64(r).unwrap(), 192)).at(COLUMN_BITS);
+            let exact = |x: f64| Dyadic::from_f64(x).unwrap().to_rational();
+            let state = |i: usize| {
+                let own = Affine::spanned(real(0.0), 1, [real(m[2 * i]), real(m[2 * i + 1])]);
+                let of_datum = Affine::varied(real(0.0), Dyadic::power_of_two(0), 0);
+                Affine::of(real(0.0), &[(&within(datum[i], wide[i]), &of_datum), (&real(1.0), &own)])
+            };
+            let set = Landing::new(Wall::Left, state(0), state(1)).aligned(1);
+            let column = |x: &Affine, j| { let x = x.column(j); assert!(x.wid().is_zero()); x.mid().to_rational() };
+            let [d, u, s] = [0, 1, 2].map(|j| [&set.phase, &set.velocity].map(|x| column(x, j)));
+            let at = |i: usize| {
+                let member = exact(datum[i]) + exact(wide[i]) * exact(signs[i]);
+                (member - &d[i]) * exact(signs[2]) + exact(m[2 * i]) * exact(signs[3]) + exact(m[2 * i + 1]) * exact(signs[4])
+            };
+            let x = [at(0), at(1)];
+            let across = |p: &[_; 2], q: &[_; 2]| &p[0] * &q[1] - &p[1] * &q[0];
+            let determinant = across(&u, &s);
+            let size = |x: num_rational::BigRational| if x < exact(0.0) { -x } else { x };
+            prop_assert!(size(across(&x, &s)) <= size(determinant.clone()) && size(across(&u, &x)) <= size(determinant));
         }
     }
 }

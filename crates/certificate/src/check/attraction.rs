@@ -75,7 +75,7 @@ pub(super) fn widest_datum(mut round: Round<'_>, guess: [Real; 2]) -> Option<usi
     let (centre, derivative) = round.polish(guess).ok()?;
     let still = derivative.map(|row| row.map(|_| Real::zero(BITS)));
     let last = round.run(round.set(&centre, &still)).ok()?.pop()?;
-    last.phase.widest().or(last.velocity.widest())
+    last.phase.widest(round.first()).or(last.velocity.widest(round.first()))
 }
 
 /// The claim that a motion converges to a periodic orbit, with the impacts from which this is proved.

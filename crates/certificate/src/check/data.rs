@@ -148,6 +148,11 @@ impl Data<'_> {
         others.into_iter().chain(height).chain(of_tones).all(Exact::is_point)
     }
 
+    /// Number of the deviations that are those of the data; sets of one motion have deviations of their own after these.
+    pub fn deviations(&self) -> usize {
+        if self.is_point() { 0 } else { AMPLITUDE + 3 * self.tones.len() }
+    }
+
     /// A lower bound of the gap \[length\].
     pub fn least_gap(&self) -> BigRational {
         let half = Real::of(&self.half_gap, QUARTER_BITS);

@@ -101,7 +101,7 @@ impl Walk<'_> {
         let missed = own.map(|(_, excess)| {
             let centre = outward(claim.wall, excess);
             let beyond = departure.beyond(&self.parameters, claim.wall, &summit.top, centre);
-            (-outward(claim.wall, beyond.hull()), beyond.is_wide_by_data())
+            (-outward(claim.wall, beyond.hull()), beyond.is_wide_by_data(self.data.deviations()))
         });
         let (missed, is_wide_by_data) = missed.map_or((-summit.excess.clone(), false), |(mean, is_wide)| {
             (mean.cut(&-summit.excess.clone()), is_wide) // exact: both hold all distances

@@ -268,13 +268,19 @@ impl Certificate {
         // The event at which more bits did not help, and the number of bits at the first attempt.
         let mut stuck = (0, bits);
         let mut grazes: BTreeMap<usize, Real> = BTreeMap::new();
+        let mut farthest = 0;
         while let Some(piece) = pieces.pop() {
             let mut walk = Walk::new(self, data, &piece, bits);
             let mut confirmed = |walk: &Walk<'_>| {
-                data.budget.allow(bits, data.tones.len());
+                // A piece that is halved later has confirmed claims in vain: only the first of them allows more.
+                if walk.event > farthest {
+                    farthest = walk.event;
+                    data.budget.allow(bits, data.tones.len());
+                }
                 progress(walk.event);
             };
             let Err(doubt) = walk.all(&mut confirmed) else {
+                self.events().iter().for_each(|_| data.budget.allow(bits, data.tones.len()));
                 for (event, distance) in walk.grazes {
                     let hull = grazes.get(&event).map_or_else(|| distance.clone(), |found| distance.hull(found));
                     grazes.insert(event, hull);
@@ -298,7 +304,7 @@ impl Certificate {
                     }
                     // proposes
                     let more = if is_stuck { 2 * bits } else { self.more_bits(&Frame::new(data, &piece, bits), bits) };
-                    bits = more.min(limits.bits); // proposes
+                    (bits, farthest) = (more.min(limits.bits), 0); // proposes
                     pieces.push(piece);
                 }
             }

@@ -18,6 +18,9 @@ use impact_pair_model::Period;
 use impact_pair_model::Wall;
 use impact_pair_model::{EventKind, Mapping};
 
+/// Bits by which a set may be wider than its deviations of the data and still be worth halving: wider sets grow by rounding, or at a graze.
+const SECOND_ORDER_BITS: i64 = 20;
+
 /// An orbit followed along the claims.
 pub(crate) struct Walk<'c> {
     pub(super) certificate: &'c Certificate,
@@ -98,11 +101,10 @@ impl<'c> Walk<'c> {
 
     /// The datum whose halving narrows the sets most, if the data make up most of their width.
     pub fn widest_datum(&self) -> Option<usize> {
-        if self.data.is_point() {
-            return None;
-        }
-        let Launch { phase, velocity, .. } = self.standing.departure();
-        [phase, velocity].into_iter().find(|x| x.is_wide_by_data()).and_then(Affine::widest)
+        let (Launch { phase, velocity, .. }, data) = (self.standing.departure(), self.data.deviations());
+        // proposes: what is not rounded away is of second order in the data, and halves of these narrow it, too
+        let is_by_data = |x: &Affine| x.without(data).reach().scaled(SECOND_ORDER_BITS) > x.own_reach(data);
+        [phase, velocity].into_iter().find(|x| is_by_data(x)).and_then(|x| x.widest(data))
     }
 
     /// Confirms the next claim.
@@ -141,8 +143,7 @@ impl<'c> Walk<'c> {
 
     /// Continues the walk from an impact.
     pub fn go_on(&mut self, landing: Landing) {
-        let landing = if self.data.is_point() { landing.aligned() } else { landing };
-        self.standing = WalkState::after(&self.parameters, landing);
+        self.standing = WalkState::after(&self.parameters, landing.aligned(self.data.deviations()));
         self.impacts += 1;
     }
 
