@@ -53,9 +53,12 @@ fn walk(value: &Value, pointer: &str, each: &mut impl FnMut(&str, &Value)) {
     }
 }
 
-/// Half vectors of h-sets, values of a scene and of points of a grid are no bounds.
+/// Half vectors of h-sets, values of a scene and of points of a grid, and coefficients of strips are no bounds.
 fn is_list_of_data(place: &str) -> bool {
-    ["expanding", "contracting", "values"].iter().any(|key| place.ends_with(key)) || place.starts_with("scene.")
+    let is_strip = place.split('.').any(|key| key == "strips");
+    ["expanding", "contracting", "values"].iter().any(|key| place.ends_with(key))
+        || place.starts_with("scene.")
+        || is_strip
 }
 
 fn others(place: &str, value: &Value) -> Vec<(&'static str, Value)> {
