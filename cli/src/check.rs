@@ -38,9 +38,9 @@ is proved again, the grazes are not. For windows, each orbit, both ends of its w
 proved again. For tangency, each tangency is proved again, and how many common points the invariant manifolds have beside it. \
 For sweep, the listed impacts are proved again, the long-term outcome is not. For global, a graph of all states is \
 recomputed, and each attractor, cycle with rests and saddle is proved again in it; for atlas, so is each point or cell. \
-For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved along chains of \
-boxes that are recomputed, and the entropies are proved to follow from the words; for chaos --over, each verdict is proved \
-for its whole subinterval. For describe, the orbit and the region in it are proved again, and the fate is compared \
+For trap, the listed boxes are proved to be forward invariant. For chaos, each listed word is proved with the \
+strip that the document has for it, and the entropies are proved to follow from the words; for chaos --over, each verdict is \
+proved for its whole subinterval. For describe, the orbit and the region in it are proved again, and the fate is compared \
 with theirs. Parameter manifolds are not checked. A \
 separate line names the values that are not checked; with --format json each value of the document is listed among \
 the claims with its verdict, or among those not checked. Ctrl-C keeps the proved part.

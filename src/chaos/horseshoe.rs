@@ -38,7 +38,7 @@ impl HorseshoeSettings {
 ///
 /// **Enclosure**: take any parameter of the pair, and any sequence of words of which each starts in the h-set that the word before covers. Then
 /// there is a motion with exactly these impacts; a periodic sequence has a periodic motion. Motions of different sequences are different. The
-/// topological entropy of the impact map on a compact invariant set without grazes is at least [`Chaos::entropy`]. Lemmas D6-D11
+/// topological entropy of the impact map on a compact invariant set without grazes is at least [`Chaos::entropy`]. Lemmas D9-D11, D34
 /// **Cost**: about 10 microseconds per box; if no h-sets are given, some hundred thousand boxes to find them.
 ///
 /// ```
@@ -223,7 +223,7 @@ impl PartialEq for Horseshoe {
 }
 
 impl Horseshoe {
-    /// Proves the horseshoe of words of at most `depth` impacts between h-sets; `None` where none is proved. Lemmas D9-D11
+    /// Proves the horseshoe of words of at most `depth` impacts between h-sets; `None` where none is proved. Lemmas D9-D11, D34
     pub(super) fn of(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved
@@ -234,7 +234,7 @@ impl Horseshoe {
         (entropy[0] > 0.0).then_some(Self { entropy, bases, words, strips })
     }
 
-    /// Proves a horseshoe as [`of`](Self::of) does, if few boxes are enough. Lemmas D9-D11
+    /// Proves a horseshoe as [`of`](Self::of) does, if few boxes are enough. Lemmas D9-D11, D34
     pub(super) fn quick(law: &Law, bases: Vec<HSet>, depth: usize, watch: &dyn Watch) -> Option<Self> {
         if bases.is_empty() || problem(&bases).is_some() {
             return None; // exact: not proved

@@ -23,7 +23,7 @@ use find::Finder;
 
 /// The part of an h-set between two curves from below to above it, in the coordinates of the h-set: from -1 to 1 along it and across.
 ///
-/// **Enclosure**: from all states between the two curves, a little above and below the h-set as well, the word's flights come one after the other, and
+/// **Enclosure**: from all states between the two curves, and from above and below the h-set up to the heights of its corners, the word's flights come one after the other, and
 /// end between bottom and top of the h-set that is covered; those from one curve end beyond its left edge, those from the other beyond its right one.
 /// Lemma D34
 #[derive(Clone, Debug, PartialEq)]

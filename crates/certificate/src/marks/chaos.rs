@@ -63,7 +63,7 @@ pub(crate) fn chaos(document: &ChaosDocument, over: Option<Key>) -> Mark {
             scene: scene(&document.scene, &unused),
             over: optional(document.over.as_ref(), |over| range(over, true)),
             depth: setting(REQUEST),
-            boxes: setting("the search: the check has its own boxes"),
+            boxes: setting("the search: how many boxes were mapped"),
             entropy: entropies(&document.entropy, "V12"),
             horseshoe: own().or_null(),
             scene_orbit: claimed("no lemma of the check covers what becomes of the scene's own orbit"),

@@ -6,7 +6,7 @@ use impact_pair_model::watch::Watch;
 
 use super::guess::MAX_PERIODS;
 
-/// The end of a search.
+/// Why a proof ends before it is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// The user stops it.
@@ -15,9 +15,7 @@ pub(super) enum End {
     Spent,
 }
 
-/// The work that is left, shared by all threads and by all chains of boxes that are tried.
-///
-/// Its sufficiency for one depth depends on nothing but that depth; where it does not suffice, nothing of that depth is kept.
+/// The work that is left, of one thread or of several.
 pub(super) struct Allowance<'w> {
     left: AtomicI64,
     watch: &'w dyn Watch,

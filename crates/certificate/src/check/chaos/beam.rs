@@ -116,7 +116,7 @@ impl FlightBundle {
         let e = law.restitution;
         let (sin, cos) = phase.sin_cos();
         let (centre_sin, centre_cos) = centre[0].sin_cos();
-        // V12: the centre's `e` is the middle one, and `e` a direction like the others
+        // V36: the centre's `e` is the middle one, and `e` a direction like the others
         let (middle, around) = e.centred_parts();
         let drift = middle * centre[1] + centre_cos;
         let [a, b, c, [ahead, faster]] = [sides[0], sides[1], sides[2], by].map(|[u, w]| [u.turned(), e * w]);
@@ -257,7 +257,7 @@ impl FlightBundle {
     fn landing(&self, is_far: bool, guess: f64, bracket: Span, rate: Span) -> Option<Landing> {
         let guess = Span::point(guess);
         let (centre_sin, _) = (self.centre[0] + guess).sin_cos();
-        // V12: the centre's wall is the middle one
+        // V36: the centre's wall is the middle one
         let (level, around) = self.level(is_far).centred_parts();
         let miss = self.drift * guess.turned() - centre_sin + self.centre_sin - level;
         let time = guess - miss.signed(is_far).over(rate.turned())?;

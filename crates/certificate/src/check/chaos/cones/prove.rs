@@ -142,7 +142,7 @@ pub(super) fn heights(words: &[Proved], bases: usize) -> Vec<Span> {
     (0..bases).map(|at| of(at).unwrap_or(Span::new(-1.0, 1.0))).collect()
 }
 
-/// Returns whether words, each from one h-set to another one, lead from each of all these to each.
+/// Returns whether there are words, each from one h-set to another one, and they lead from each of all these to each.
 pub(super) fn lead_back(words: &[[usize; 2]], bases: usize) -> bool {
     let mut leads = vec![vec![false; bases]; bases];
     words.iter().for_each(|&[from, to]| leads[from][to] = true);
@@ -154,5 +154,5 @@ pub(super) fn lead_back(words: &[[usize; 2]], bases: usize) -> bool {
         }
     }
     let all = words.iter().flatten();
-    all.clone().all(|&from| all.clone().all(|&to| leads[from][to]))
+    !words.is_empty() && all.clone().all(|&from| all.clone().all(|&to| leads[from][to]))
 }

@@ -49,7 +49,8 @@ impl Graph {
             sums[from] = sums[from] + Span::point(q) * Span::point(vector[to]);
         }
         let is_kept = |(sum, x): (&Span, &f64)| if is_at_most { sum.hi() <= *x } else { sum.lo() >= *x };
-        vector.iter().all(|&x| x > 0.0) && sums.iter().zip(&vector).all(is_kept)
+        // V14: a graph without nodes does not grow
+        self.nodes > 0 && vector.iter().all(|&x| x > 0.0) && sums.iter().zip(&vector).all(is_kept)
     }
 
     /// `exp(-t weight)` of each edge, none less than it is, or none more.
@@ -94,7 +95,8 @@ impl Graph {
         let is_kept = |(edge, excess): (&Edge, &Span)| {
             (*excess + Span::point(potentials[edge.from]) - Span::point(potentials[edge.to])).lo() >= 0.0
         };
-        self.edges.iter().zip(&excesses).all(is_kept)
+        // V14: a graph without edges has no loops
+        !self.edges.is_empty() && self.edges.iter().zip(&excesses).all(is_kept)
     }
 
     /// About the lengths of the shortest ways to all nodes, an edge being as long as the least of its excess, less the slack.
@@ -126,6 +128,15 @@ mod tests {
 
     fn edge(from: usize, to: usize, weight: [f64; 2], length: f64) -> Edge {
         Edge { from, to, weight: Span::new(weight[0], weight[1]), length }
+    }
+
+    /// No number bounds what is not there.
+    #[test]
+    fn an_empty_graph_has_no_root_and_no_ratio() {
+        let none = Graph::new([].into_iter());
+        for bound in [-1.0, 0.0, 0.5] {
+            assert!([true, false].into_iter().all(|end| !none.is_root(bound, end) && !none.is_ratio(bound, end)));
+        }
     }
 
     /// Two edges at one node: the growth of `2 e^(-t x)` is 0 at `ln 2 / x`.
