@@ -173,7 +173,7 @@ impl Stretch {
 
 /// The values of a parameter, by what is proved: without gaps, in their order.
 ///
-/// **Enclosure**: each verdict holds for every value in its stretch, endpoints included. Lemmas D11, D12, D14, D15
+/// **Enclosure**: each verdict holds for every value in its stretch, endpoints included. Lemmas D11, D12, D14, D15, D34
 /// **Cost**: some seconds of a processor for a cell with a horseshoe, or where one is looked for beside a stable orbit; milliseconds
 /// to prove that orbit, as often as the cell is halved.
 #[derive(Clone, Debug)]

@@ -24,7 +24,7 @@ use orbit::{Found, Period};
 
 /// Bits of the arithmetic.
 const DOUBLE_BITS: u32 = f64::MANTISSA_DIGITS;
-/// A subinterval may take one in N parts of what a document of another kind may.
+/// The periodic orbit of a subinterval may take one in N parts of what a document of another kind may.
 const WORK_DIVISOR: u64 = 1 << 2;
 /// Most halvings of a subinterval, and most cuts of a cell of two parameters into quarters.
 const MAX_HALVINGS: u32 = 16;
@@ -52,7 +52,7 @@ impl CellsCertificate {
         let (mut open, mut confirmed, mut certain) = (None, 0, 0);
         for (event, stretch) in self.document.stretches.iter().enumerate() {
             if stretch.verdict != StretchVerdict::Undecided {
-                let allowed = limits.work.saturating_mul(STEPS_PER_PLACE) / WORK_DIVISOR; // proposes: when to give up
+                let allowed = limits.work.saturating_mul(STEPS_PER_PLACE); // proposes: when to give up
                 match self.judged(stretch, (allowed, &watch))? {
                     Err(Doubt::Open(_)) if watch.is_stopped() => {
                         return Ok((Verdict::Interrupted { events: confirmed }, certain));
@@ -85,7 +85,7 @@ impl CellsCertificate {
         stretch: &StretchDocument,
         (allowed, watch): (u64, &dyn Watch),
     ) -> Result<Result<(), Doubt>, Error> {
-        let work = &Allowance::new(allowed, watch);
+        let work = &Allowance::new(allowed / WORK_DIVISOR, watch); // proposes: when to give up
         if let Some(period) = &stretch.period {
             let period = match Period::of(period) {
                 Ok(period) => period,
